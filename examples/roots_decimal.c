@@ -138,12 +138,11 @@ static int divisible(const uint64_t *a, int length, int bits) {
 }
 
 /* The last bit kept is that of a double: of 53, and not below 2^-1074. */
-double roots_limbs_double(const uint64_t *limbs, int length, int down, double *radius) {
+double roots_limbs_double(const uint64_t *limbs, int length, int down, int *off) {
     int drop = length ? roots_limbs_bits(limbs, length) - DBL_MANT_DIG : 0;
     if (drop < down - 1074) drop = down - 1074;
-    *radius = 0;
     if (drop <= 0) return ldexp(length ? (double)limbs[0] : 0, -down);
     if (divisible(limbs, length, drop)) return ldexp((double)window(limbs, length, drop), drop - down);
-    *radius = fmax(ldexp(1, drop - 1 - down), DBL_TRUE_MIN);
+    *off = 1;
     return ldexp((double)((window(limbs, length, drop - 1) + 1) / 2), drop - down);
 }

@@ -26,8 +26,8 @@ int roots_decimal_limbs(const roots_decimal *d, long long f, long long g, uint64
 /* The bits of a magnitude, length > 0. */
 int roots_limbs_bits(const uint64_t *limbs, int length);
 
-/* The double nearest to a magnitude times 2^-down, and how far it is off at most: 0 or half a unit in its
- * last place.  The magnitude times 2^-down is less than 2^1023. */
-double roots_limbs_double(const uint64_t *limbs, int length, int down, double *radius);
+/* The double nearest to a magnitude times 2^-down, which is less than 2^1023; sets *off where it is rounded.
+ */
+double roots_limbs_double(const uint64_t *limbs, int length, int down, int *off);
 
 #endif

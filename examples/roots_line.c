@@ -1,8 +1,7 @@
 /* roots_line.c - see roots_line.h.
  *
  * A line's numbers are exact.  Times one power of ten, and one of two, they are integers; where these fit
- * doubles, doubles it is.  Where not, real roots are those of the integers, and complex ones those of all
- * polynomials as near to the doubles as the integers are.
+ * doubles, doubles it is.
  *
  * Of doubles, too, all real roots come from one call, unless a tolerance asks for less. */
 #include "roots_line.h"
@@ -94,9 +93,9 @@ static int to_integers(roots_polynomial *p, algsurf_integer *z, roots_complaint 
     return 1;
 }
 
-/* z 2^-down, nearly. */
-static double to_double(const algsurf_integer *z, int down, double *radius) {
-    double magnitude = roots_limbs_double(z->limbs, abs(z->length), down, radius);
+/* z 2^-down, nearly: sets *off. */
+static double to_double(const algsurf_integer *z, int down, int *off) {
+    double magnitude = roots_limbs_double(z->limbs, abs(z->length), down, off);
     return z->length < 0 ? -magnitude : magnitude;
 }
 
@@ -111,10 +110,8 @@ static void to_doubles(const algsurf_integer *z, roots_polynomial *p) {
     }
     int down = most - least > 2000 ? most - 1000 : most > 0 ? (most + least) / 2 : 0;
     for (int k = 0; k <= p->degree; k++) {
-        double re, im; /* how far they are off */
-        p->c[k] = (algsurf_complex){to_double(z + 2 * k, down, &re), to_double(z + 2 * k + 1, down, &im)};
-        p->r[k] = re > 0 && im > 0 ? 1.5 * fmax(re, im) : re + im; /* |re + i im| <= 1.5 of the larger one */
-        if (p->r[k] > 0) p->off = 1;
+        p->c[k] =
+            (algsurf_complex){to_double(z + 2 * k, down, &p->off), to_double(z + 2 * k + 1, down, &p->off)};
     }
 }
 
@@ -122,7 +119,7 @@ static int parse_exactly(char *const *field, roots_polynomial *p, roots_complain
     algsurf_integer z[2 * ROOTS_MAX_FIELDS];
     if (!read_parts(field, p, why) || !to_integers(p, z, why)) return 0;
     to_doubles(z, p);
-    for (int k = 0; k <= p->degree; k++) p->integer[k] = z[2 * k];
+    for (int k = 0; k <= p->degree; k++) p->integer[k] = z[2 * k], p->imaginary[k] = z[2 * k + 1];
     return 1;
 }
 
@@ -148,15 +145,15 @@ static void real_parts(const roots_polynomial *p, double *c) {
     for (int k = 0; k <= p->degree; k++) c[k] = p->c[k].re;
 }
 
-/* algsurf_complex_roots_of_real knows that the numbers which radii hide are real. */
 int roots_all(const roots_polynomial *p, roots_row *rows, roots_complaint *why) {
     algsurf_complex_root e[ALGSURF_MAX_POLY_DEGREE];
     double c[ROOTS_MAX_FIELDS];
     int count;
-    const double *r = p->off ? p->r : NULL;
     real_parts(p, c);
-    algsurf_status status = p->real ? algsurf_complex_roots_of_real(c, r, p->degree, e, &count)
-                                    : algsurf_complex_roots(p->c, r, p->degree, e, &count);
+    algsurf_status status = p->off ? algsurf_complex_roots_integers(p->integer, p->real ? NULL : p->imaginary,
+                                                                    p->degree, e, &count)
+                            : p->real ? algsurf_complex_roots_of_real(c, NULL, p->degree, e, &count)
+                                      : algsurf_complex_roots(p->c, NULL, p->degree, e, &count);
     if (status < 0) return refused(status, why);
     for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].root, e[i].box, e[i].multiplicity};
     return count;

@@ -16,9 +16,8 @@ typedef struct roots_polynomial {
     int degree;                          /* without leading zeros */
     int real;                            /* all imaginary parts are 0 */
     algsurf_complex c[ROOTS_MAX_FIELDS]; /* lowest degree first */
-    double r[ROOTS_MAX_FIELDS];          /* how far c is off, */
-    int off;                             /* if it is: then a real polynomial is here, too: */
-    algsurf_integer integer[ROOTS_MAX_FIELDS];
+    int off;                             /* c is rounded; exact are the integers: */
+    algsurf_integer integer[ROOTS_MAX_FIELDS], imaginary[ROOTS_MAX_FIELDS];
     roots_decimal part[2 * ROOTS_MAX_FIELDS]; /* as the line has it: re, im */
     uint64_t *limbs;                          /* of the integers; to be freed */
     size_t capacity;

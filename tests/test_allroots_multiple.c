@@ -275,18 +275,15 @@ TEST(test_named) {
 /* Roots of different multiplicity that are neighbours: 1 and 1 + 2^-k. */
 TEST(test_neighbours) {
     product *t = open_product();
-    int together = 0, apart = 0;
+    int together = 0;
     for (int k = 45; k <= 51; k++)
         for (int sign = -1; sign <= 1; sign += 2) {
             begin(t);
             join_factor(t, 0, 1, -1, 2), join_factor(t, 0, 1L << k, -(1L << k) - sign, 1);
             assert_true(finish(t, 0));
-            if (judge(t))
-                together++;
-            else
-                apart++;
+            together += judge(t) != 0;
         }
-    assert_true(together && apart > 8);
+    assert_int_equal(together, 0);
     close_product(t);
 }
 
@@ -421,7 +418,7 @@ TEST(test_high) {
     close_product(t);
 }
 
-/* What is not exact, or not real, keeps its cluster. */
+/* What is not exact keeps its cluster; what is not real does not. */
 TEST(test_clusters_stay) {
     product *t = open_product();
     algsurf_complex_root e[ALGSURF_MAX_DEGREE];
@@ -438,36 +435,35 @@ TEST(test_clusters_stay) {
     assert_ok(algsurf_complex_roots(z, r, 4, e, &count));
     assert_true(count == 1 && e[0].multiplicity == 4 && !e[0].real && ulps(e) > 1e6);
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], t->c[k]};
-    assert_ok(algsurf_complex_roots(z, NULL, 4, e, &count));
-    assert_true(count == 1 && e[0].multiplicity == 4 && ulps(e) > 1e6);
+    assert_int_equal(algsurf_complex_roots(z, NULL, 4, e, &count), ALGSURF_OK);
+    assert_true(count == 1 && e[0].multiplicity == 4 && ulps(e) <= 2); /* (1 + i) p */
+    z[0].im += 1;
+    assert_int_equal(algsurf_complex_roots(z, NULL, 4, e, &count), ALGSURF_OK);
+    assert_int_equal(count, 4);
     close_product(t);
 }
 
-/* (x^10 + 1)^20: with memory 10 boxes, without it a true answer all the same. */
+/* (x^10 + 1)^20: with memory 10 boxes, without it that is said, and nothing is written. */
 TEST(test_without_memory) {
     product *t = open_product();
     const long q[11] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     algsurf_complex_root e[MOST_DEGREE];
     algsurf_complex z[MOST_DEGREE + 1];
     algsurf_complex_solver *solver;
-    double widest[2] = {0, 0};
     times(t, q, 10, 20);
     assert_true(finish(t, 0));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_ok(algsurf_complex_solver_create(t->n, &solver));
-    for (int fails = 0; fails < 2; fails++) {
-        int count, before = blocks;
+    assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+    for (int fails = 1; fails >= 0; fails--) {
+        int count = -5, before = blocks;
         malloc_fails = fails;
         algsurf_status status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         malloc_fails = 0;
-        assert_ok(status);
+        assert_int_equal(status, fails ? ALGSURF_E_NO_MEMORY : ALGSURF_OK);
+        assert_int_equal(count, fails ? -5 : 10);
         assert_int_equal(blocks, before);
-        const char *what = case_boxes_wrong(t->n, e, count);
-        if (what) give_up(t, e, count, what);
-        if (!fails) assert_int_equal(count, 10);
-        for (int i = 0; i < count; i++) widest[fails] = fmax(widest[fails], ulps(e + i));
+        for (int i = 0; i < count; i++) assert_true(ulps(e + i) <= 2);
     }
-    assert_true(widest[0] <= 4 && widest[1] > 1e6);
     algsurf_complex_solver_free(solver);
     close_product(t);
 }

@@ -75,8 +75,8 @@ static void judge(const problem *p, const algsurf_complex_root *e, int count) {
         if (e[i].multiplicity > 1 || !(size > 0x1p-300 && size < 0x1p300)) continue; /* not in lanes */
         double width = fmin(b->re.hi - b->re.lo, e[i].real ? HUGE_VAL : b->im.hi - b->im.lo);
         double radius = find_root(p, e[i].root.re, e[i].root.im, 0x1p-150 * width, &z);
-        if (!(radius < 0x1p-100 * width) || !lies_in(z.re, radius, b->re.lo, b->re.hi) ||
-            !(e[i].real ? lies_in(z.im, 0, -radius, radius) : lies_in(z.im, radius, b->im.lo, b->im.hi))) {
+        if (!(radius <= 0x1p-100 * width) || !lies_in(z.re, -radius, b->re.lo, b->re.hi) ||
+            !(e[i].real ? lies_in(z.im, 0, -radius, radius) : lies_in(z.im, -radius, b->im.lo, b->im.hi))) {
             print_error("degree %d, root %d at (%a,%a), found in %a\n", p->n, i, e[i].root.re, e[i].root.im,
                         radius);
             for (int k = 0; k <= p->n; k++) print_error("  %a %a\n", p->re[k], p->im[k]);

@@ -532,6 +532,15 @@ CALL(algsurf_real_roots_integers) {
     WRITTEN(count), written(roots, (size_t)count * sizeof *roots);
 }
 
+CALL(algsurf_complex_roots_integers) {
+    static const uint64_t limbs[3][2] = {{7, 0}, {3, 9}, {0, 1}};
+    const algsurf_integer c[3] = {{limbs[0], 1}, {limbs[1], -2}, {limbs[2], 2}};
+    algsurf_complex_root roots[2];
+    int count = 0;
+    STATUS_IN_HOST(algsurf_complex_roots_integers(c, NULL, 2, roots, &count));
+    WRITTEN(count), written(roots, (size_t)count * sizeof *roots);
+}
+
 /* The calls of isolate.h, each without radii and with them. */
 #define ISOLATE(call)                                                                                        \
     for (int k = 0; k < 4; k++) {                                                                            \

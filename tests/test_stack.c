@@ -441,6 +441,15 @@ STACK_OF(algsurf_complex_solver_run, 28, OTHERS) {
         }
 }
 
+STACK_OF(algsurf_complex_roots_integers, 28, OTHERS) {
+    static const uint64_t limbs[3][2] = {{7, 5}, {3, 1u << 9}, {1, 1}};
+    algsurf_integer c[MOST + 1];
+    for (int n = 2; n <= MOST; n *= 4) {
+        for (int k = 0; k <= n; k++) c[k] = (algsurf_integer){limbs[k % 3], k * k % 5 - 2 > 0 ? 2 : -2};
+        (void)algsurf_complex_roots_integers(c, n == 8 ? c : NULL, n, complex_roots, &found);
+    }
+}
+
 static algsurf_complex quotient[MOST];
 static algsurf_complex approximation = {0, 1};
 

@@ -26,7 +26,7 @@
 #include <stdint.h>
 
 #include "algsurf/observe.h"
-#include "algsurf/status.h"
+#include "algsurf/poly.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -55,16 +55,6 @@ typedef struct algsurf_real_root {
  * greatest common divisors (Yun 1976).  56 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
-
-/* An integer of any length, not owned.  Its sign is that of its length, as in GMP: an mpz_t z with limbs of
- * 64 bits is {mpz_limbs_read(z), mpz_sgn(z) * (int)mpz_size(z)}. */
-typedef struct algsurf_integer {
-    const uint64_t *limbs; /* the magnitude, least significant limb first; the last ones may be 0 */
-    int length; /* how many, negated for a negative integer; 0: the integer 0, `limbs` may be null */
-} algsurf_integer;
-
-/* Largest number of limbs of a coefficient: 2^20 bits, 315,000 decimals. */
-#define ALGSURF_MAX_LIMBS 16384
 
 /* algsurf_real_roots for integer coefficients.  (Rational and decimal ones become integers when all are
  * multiplied by a common denominator.)  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS

@@ -10,12 +10,23 @@
 #ifndef ALGSURF_POLY_H
 #define ALGSURF_POLY_H
 #include <stddef.h>
+#include <stdint.h>
 
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* An integer of any length, not owned.  Its sign is that of its length, as in GMP: an mpz_t z with limbs of
+ * 64 bits is {mpz_limbs_read(z), mpz_sgn(z) * (int)mpz_size(z)}. */
+typedef struct algsurf_integer {
+    const uint64_t *limbs; /* the magnitude, least significant limb first; the last ones may be 0 */
+    int length; /* how many, negated for a negative integer; 0: the integer 0, `limbs` may be null */
+} algsurf_integer;
+
+/* Largest number of limbs of a coefficient: 2^20 bits, 315,000 decimals. */
+#define ALGSURF_MAX_LIMBS 16384
 
 /* The value at a point, computed in double, with a bound on its error.
  *   c, r    degree+1 coefficients (power basis) and radii, or r null

@@ -1,365 +1,284 @@
-/* allroots.c - all complex roots with proof: scaling, the order of the steps, solvers.
+/* allroots.c - all roots of one polynomial: doubles as integers, the order of the steps, solvers.
  *
- * For what the lanes leave open (lanes.c), and all else: propose in double, tighten with doubled residuals,
- * prove by discs; what then is still crowded is iterated in double-double and proved again.  Roots of a real
- * polynomial that look real are put on the axis, and of the others one of each pair is tightened and
- * mirrored: it is the proof that decides whether that was right.  Clusters of an exact real polynomial are
- * then asked for multiple roots (multiple.c). */
+ * A coefficient is m 2^e with integers m and e: a power of two times p(2^unit y) has integers for
+ * coefficients, without any rounding.  What doubles propose is proved and made narrow by discs.c; where roots
+ * stay together, the polynomial may have multiple ones, which never part: with exact real coefficients p is a
+ * constant times prod f_k^k, where the squarefree f_k holds the roots of multiplicity k, once each (Yun 1976,
+ * poly/multiplicity.c), and each f_k is solved by itself.  The boxes of all factors together hold all roots,
+ * and are joined where they meet. */
 #include "../base/arithmetic.h"
-#include "algsurf/allroots.h"
-
-#include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "impl.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "discs.h"
+#include "impl.h"
 
-struct algsurf_complex_solver {
-    int max_degree;
-    algsurf_i_roots p;
-    algsurf_complex_root *boxes;
-};
+#define OWN_WORDS ((size_t)(15 << 10) / sizeof(uint64_t)) /* on the stack */
+#define MEMORY_LIMIT ((size_t)1 << 30)
+#define FIRST_SWEEPS 4  /* before multiple roots are looked for */
+#define RADII_SWEEPS 64 /* what radii allow to know is known by then */
 
-/* Slices of a block of ALGSURF_ROOTS_DOUBLES * (m+1) doubles and ALGSURF_ROOTS_INTS * (m+1) ints. */
-static void lay_out(algsurf_i_roots *p, int m, double *d, int *k) {
-    double **part[] = {&p->cr, &p->ci, &p->size, &p->radius, &p->lr, &p->li,       &p->ls,
-                       &p->le, &p->x,  &p->y,    &p->xl,     &p->yl, &p->residual, &p->disc};
-    int **ints[] = {&p->exponent, &p->group, &p->done, &p->shift};
-    for (int i = 0; i < ALGSURF_ROOTS_DOUBLES; i++) *part[i] = d + i * (m + 1);
-    for (int i = 0; i < ALGSURF_ROOTS_INTS; i++) *ints[i] = k + i * (m + 1);
-}
-
-static int vanishes(const algsurf_complex *c, const double *r, int k) {
-    return c[k].re == 0 && c[k].im == 0 && (!r || r[k] == 0);
-}
-
-static double magnitude(algsurf_complex z) { return fmax(fabs(z.re), fabs(z.im)); }
+/* The polynomial in doubles, without exact zeros at either end, and what is made of it. */
+typedef struct problem {
+    const algsurf_complex *c;
+    const double *r;             /* or null */
+    const algsurf_integer *z[2]; /* in place of c; z[1] may be null */
+    int low, high;               /* from c[low] to c[high] */
+    int real;                    /* coefficients and their radii */
+    int unit, least;             /* integer k is coefficient low + k times 2^(k unit - least) */
+    algsurf_memory *m;
+    algsurf_complex_root *roots;
+    int count, proposed, moved;
+} problem;
 
 static algsurf_status read_input(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                 algsurf_i_input *in) {
-    if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
+                                 problem *s) {
+    *s = (problem){.c = c, .high = -1, .low = degree, .real = 1};
     for (int k = 0; k <= degree; k++) {
         if (!isfinite(c[k].re) || !isfinite(c[k].im) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
         if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
+        if (r && r[k] > 0) s->r = r;
+        if (c[k].im != 0 || (r && r[k] > 0 && !real_radii)) s->real = 0;
+        if (c[k].re == 0 && c[k].im == 0 && (!r || r[k] == 0)) continue;
+        if (s->low > k) s->low = k;
+        s->high = k;
     }
-    *in = (algsurf_i_input){c, r, 0, degree, real_radii, 0};
-    while (in->high >= 0 && vanishes(c, r, in->high)) in->high--;
-    if (in->high < 0) return ALGSURF_E_ZERO;
-    while (vanishes(c, r, in->low)) in->low++;
-    return ALGSURF_OK;
+    return s->high < 0 ? ALGSURF_E_ZERO : ALGSURF_OK;
 }
 
-/* The larger of coefficient low + k and its radius. */
-static double extent(const algsurf_i_input *in, int k) {
-    return fmax(magnitude(in->c[in->low + k]), in->r ? in->r[in->low + k] : 0);
+/* |c| and its radius, at least. */
+static double extent(const problem *s, int k) {
+    const algsurf_complex c = s->c[s->low + k];
+    return fmax(fmax(fabs(c.re), fabs(c.im)), s->r ? s->r[s->low + k] : 0);
 }
 
-/* The extreme slopes of Newton's polygon, which are about the exponents of the least and the largest root:
- * each is attained from one end of the polygon. */
-static void outermost(const algsurf_i_input *in, double *least, double *largest) {
-    int n = in->high - in->low, first = ilogb(extent(in, 0)), last = ilogb(extent(in, n));
-    *least = HUGE_VAL, *largest = -HUGE_VAL;
+/* A unit of the variable in which the first and the last coefficient balance, so that integers are short; the
+ * least exponent of all coefficients, and the bits of the largest. */
+static int choose_unit(problem *s) {
+    int n = s->high - s->low, end = INT_MIN, e;
+    s->unit = n > 0 ? (int)lround((double)(ilogb(extent(s, 0)) - ilogb(extent(s, n))) / n) : 0;
+    s->least = INT_MAX;
     for (int k = 0; k <= n; k++) {
-        if (!(extent(in, k) > 0)) continue;
-        int e = ilogb(extent(in, k));
-        if (k > 0) *least = fmin(*least, (double)(first - e) / k);
-        if (k < n) *largest = fmax(*largest, (double)(e - last) / (n - k));
-    }
-}
-
-/* The first and the last coefficient balance.  Where an extreme root would then come near the limits of
- * double, the extreme roots do; and when their exponents are too far apart for that, the largest gets the
- * largest start value there is (below 2^1010): a small root out of reach is one box about 0, a large one
- * spoils them all. */
-int algsurf_i_roots_unit(const algsurf_i_input *in) {
-    int n = in->high - in->low;
-    if (n == 0) return 0;
-    double unit = (double)(ilogb(extent(in, 0)) - ilogb(extent(in, n))) / n, least,
-           largest; /* neither is 0 */
-    outermost(in, &least, &largest);
-    return (int)lround(unit - least < 900 && largest - unit < 900
-                           ? unit
-                           : fmax(0.5 * least + 0.5 * largest, largest - 1010));
-}
-
-/* The unit of the variable.  Narrow, if no coefficient then falls 2^500 below the largest, whose exponent is
- * returned. */
-static int choose_unit(algsurf_i_roots *p, const algsurf_i_input *in, int *common) {
-    int n = p->n, least = 0x7fffffff, unit = algsurf_i_roots_unit(in);
-    *common = -0x7fffffff;
-    for (int k = 0; k <= n; k++) {
-        double m = extent(in, k);
-        if (!(m > 0)) continue;
-        int e = ilogb(m) + k * unit;
-        *common = e > *common ? e : *common;
-        least = e < least ? e : least;
-    }
-    p->narrow = *common - least < 500;
-    return unit;
-}
-
-static int scale(algsurf_i_roots *p, const algsurf_i_input *in) {
-    int common, n = p->n = in->high - in->low, unit = choose_unit(p, in, &common);
-    p->real = 1;
-    for (int k = 0; k <= n; k++) {
-        algsurf_complex c = in->c[in->low + k];
-        double r = in->r ? in->r[in->low + k] : 0, m = extent(in, k);
-        int whole = k * unit - common, own = p->narrow ? whole : m > 0 ? -ilogb(m) : 0;
-        p->shift[k] = whole - own;
-        p->cr[k] = ldexp(c.re, own);
-        p->ci[k] = ldexp(c.im, own);
-        p->size[k] = sqrt(p->cr[k] * p->cr[k] + p->ci[k] * p->ci[k]) * (1 + 4 * ALGSURF_U);
-        /* A part far below the other one may lose bits. */
-        p->radius[k] =
-            ldexp(r, own) + (ldexp(p->cr[k], -own) != c.re || ldexp(p->ci[k], -own) != c.im) * 0x1p-1070;
-        if (c.im != 0 || (r > 0 && !in->real_radii)) p->real = 0;
-    }
-    return unit;
-}
-
-/* Roots of a real polynomial: those close to the axis onto it, the others paired.  mate[i] >= 0: root i is
- * to be the conjugate of that one.  Uses group as mate. */
-static void guess_symmetry(algsurf_i_roots *p) {
-    int *mate = p->group;
-    for (int i = 0; i < p->n; i++) {
-        mate[i] = -1;
-        if (p->real && fabs(p->y[i]) < 0x1p-26 * fabs(p->x[i])) p->y[i] = 0;
-    }
-    for (int i = 0; p->real && i < p->n; i++) {
-        if (!(p->y[i] < 0)) continue;
-        double best = 0x1p-20 * (fabs(p->x[i]) + fabs(p->y[i]));
-        for (int j = 0; j < p->n; j++) {
-            double d = fabs(p->x[i] - p->x[j]) + fabs(p->y[i] + p->y[j]);
-            if (p->y[j] > 0 && d < best) {
-                best = d;
-                mate[i] = j;
-            }
+        const double part[2] = {s->c[s->low + k].re, s->c[s->low + k].im};
+        for (int i = 0; i < 2; i++) {
+            algsurf_limb odd = algsurf_z_odd_part(part[i], &e);
+            if (!odd) continue;
+            e += k * s->unit;
+            s->least = e < s->least ? e : s->least;
+            e += algsurf_limb_bits(odd);
+            end = e > end ? e : end;
         }
     }
+    if (end == INT_MIN) s->least = end = 0; /* radii alone */
+    return end - s->least;
 }
 
-static void tighten_all(algsurf_i_roots *p) {
-    int *mate = p->group;
-    for (int i = 0; i < p->n; i++) {
-        p->xl[i] = p->yl[i] = 0;
-        p->residual[i] = mate[i] < 0 ? HUGE_VAL : 0;
-        p->exponent[i] = 0;
+static algsurf_scaled scaled_double(double x, double y, int64_t exponent) {
+    int e;
+    double most = fmax(fabs(x), fabs(y));
+    if (most == 0) return algsurf_i_scaled_of(0, 0, 0);
+    (void)frexp(most, &e);
+    return algsurf_i_scaled_of(ldexp(x, -e), ldexp(y, -e), exponent + e);
+}
+
+static int make_integers(problem *s, algsurf_i_integers *z) {
+    int n = s->high - s->low, w = algsurf_z_width(choose_unit(s));
+    *z = (algsurf_i_integers){.p = {.real = s->real}};
+    int complex = 0, turned = 1; /* turned: i times a real polynomial, which has the same roots */
+    for (int k = 0; k <= n; k++) {
+        complex = complex || s->c[s->low + k].im != 0;
+        turned = turned && s->c[s->low + k].re == 0 && !s->r;
     }
-    algsurf_i_roots_tighten(p);
-    for (int i = 0; i < p->n; i++) {
-        int j = mate[i];
-        if (j < 0) continue;
-        p->x[i] = p->x[j];
-        p->xl[i] = p->xl[j];
-        p->y[i] = -p->y[j];
-        p->yl[i] = -p->yl[j];
-        p->residual[i] = p->residual[j];
-        p->exponent[i] = p->exponent[j];
+    if (turned) complex = 0, z->p.real = s->real = 1;
+    if (!algsurf_zpoly_new(s->m, n, w, &z->p.re)) return 0;
+    if (complex && !algsurf_zpoly_new(s->m, n, w, &z->p.im)) return 0;
+    for (int k = 0; k <= n; k++) {
+        algsurf_complex c = s->c[s->low + k];
+        algsurf_z_add_double(algsurf_zpoly_at(&z->p.re, k), w, turned ? c.im : c.re, k * s->unit - s->least);
+        if (complex) algsurf_z_add_double(algsurf_zpoly_at(&z->p.im, k), w, c.im, k * s->unit - s->least);
     }
-}
-
-/* The larger part of an ulp of the smaller part of root i. */
-static double fine(const algsurf_i_roots *p, int i) {
-    double least = p->y[i] == 0 ? fabs(p->x[i]) : fmin(fabs(p->x[i]), fabs(p->y[i]));
-    return 0x1p-54 * least;
-}
-
-/* Isolated roots whose discs would make their boxes wider than an ulp get another step; returns how many. */
-static int tighten_wide(algsurf_i_roots *p) {
-    int again = 0;
-    for (int i = 0; i < p->n; i++) {
-        if (!p->done[i] || p->disc[i] <= 0.25 * fine(p, i)) continue;
-        again++;
-        p->residual[i] = HUGE_VAL;
-        p->xl[i] = p->yl[i] = 0;
+    if (!algsurf_i_make_heads(s->m, z)) return 0;
+    if (!s->r) return 1;
+    for (int k = 0; k <= n; k++) {
+        z->radius[k] = scaled_double(s->r[s->low + k], 0, (int64_t)k * s->unit - s->least);
+        z->size[k] = algsurf_i_scaled_join(z->size[k], z->radius[k], 1);
     }
-    if (again) algsurf_i_roots_tighten(p);
-    return again;
+    z->p.radius = z->radius;
+    return 1;
 }
 
-/* What still is wide then is ill conditioned: a step in double-double. */
-static int sharpen_wide(algsurf_i_roots *p) {
-    int again = 0;
-    for (int i = 0; i < p->n; i++) {
-        if (!p->done[i] || p->disc[i] <= fine(p, i)) continue;
-        again++;
-        algsurf_i_roots_sharpen(p, i);
+/* The leading coefficient is not 0 by its radius. */
+static int has_lead(const algsurf_i_integers *z) {
+    int n = z->p.re.degree;
+    algsurf_scaled size = algsurf_i_scaled_size(z->head[n]);
+    size.re *= 1 - 0x1p-30;
+    return !z->p.radius || algsurf_i_scaled_less(z->radius[n], size);
+}
+
+/* ---- integers ---- */
+
+static int is_none(const algsurf_integer *z) {
+    return z->length == 0 || (z->limbs && algsurf_z_length(z->limbs, abs(z->length)) == 0);
+}
+
+static algsurf_status read_integers(const algsurf_integer *re, const algsurf_integer *im, int degree,
+                                    problem *s) {
+    *s = (problem){.z = {re, im}, .high = -1, .low = degree, .real = 1};
+    int turned = im != NULL; /* i times real ones have the same roots */
+    for (int k = 0; k <= degree; k++) turned = turned && is_none(re + k);
+    if (turned) s->z[0] = im, s->z[1] = NULL;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; s->z[i] && k <= degree; k++) {
+            const algsurf_integer *z = s->z[i] + k;
+            if (z->length < -ALGSURF_MAX_LIMBS || z->length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
+            if (z->length && !z->limbs) return ALGSURF_E_ARGUMENT;
+            if (is_none(z)) continue;
+            if (i) s->real = 0;
+            if (s->low > k) s->low = k;
+            if (s->high < k) s->high = k;
+        }
+    return s->high < 0 ? ALGSURF_E_ZERO : ALGSURF_OK;
+}
+
+static int copy_integers(problem *s, const algsurf_integer *z, int w, algsurf_zpoly *p) {
+    if (!algsurf_zpoly_new(s->m, s->high - s->low, w, p)) return 0;
+    for (int k = s->low; k <= s->high; k++) {
+        algsurf_limb *a = algsurf_zpoly_at(p, k - s->low);
+        if (z[k].length) memcpy(a, z[k].limbs, (size_t)abs(z[k].length) * sizeof *a);
+        if (z[k].length < 0) algsurf_z_negate(a, w);
     }
-    return again;
+    return 1;
 }
 
-static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int unit,
-                        algsurf_complex_root *boxes) {
-    algsurf_i_roots_start(p);
-    for (int i = 0; start && i < p->n; i++) { /* what is no number keeps its own start value */
-        if (!isfinite(start[i].re) || !isfinite(start[i].im)) continue;
-        p->x[i] = ldexp(start[i].re, -unit);
-        p->y[i] = ldexp(start[i].im, -unit);
+static int take_integers(problem *s, algsurf_i_integers *z) {
+    int longest = 0;
+    for (int i = 0; i < 2; i++)
+        for (int k = s->low; s->z[i] && k <= s->high; k++)
+            if (abs(s->z[i][k].length) > longest) longest = abs(s->z[i][k].length);
+    *z = (algsurf_i_integers){.p = {.real = s->real}};
+    return copy_integers(s, s->z[0], longest + 1, &z->p.re) &&
+           (s->real || copy_integers(s, s->z[1], longest + 1, &z->p.im)) && algsurf_i_make_heads(s->m, z);
+}
+
+/* ---- all ---- */
+
+/* The roots but 0, from start values or null. */
+static int solve(problem *s, const algsurf_i_integers *z, const algsurf_scaled *given) {
+    algsurf_i_discs d;
+    int open, n = z->p.re.degree;
+    algsurf_scaled *at = algsurf_i_take(s->m, (size_t)n * sizeof *at);
+    if (!at || !algsurf_i_propose(s->m, z->head, z->size, z->p.radius, n, given, at, &s->proposed)) return 0;
+    if (!algsurf_i_discs_begin(&d, s->m, &z->p, at)) return 0;
+    if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : FIRST_SWEEPS, &open)) return 0;
+    if (open && !s->r) {
+        algsurf_i_factors f = {.m = s->m,
+                               .unit = s->unit,
+                               .roots = s->roots,
+                               .proposed = &s->proposed,
+                               .moved = &s->moved};
+        if (!algsurf_i_solve_factors(&f, &z->p)) return 0;
+        s->count = f.count;
+        if (f.count > 0) return 1;
+        if (!algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
     }
-    algsurf_i_roots_propose(p);
-    guess_symmetry(p);
-    tighten_all(p);
-    int crowded = algsurf_i_roots_group(p);
-    if (tighten_wide(p)) crowded = algsurf_i_roots_group(p);
-    if (sharpen_wide(p)) crowded = algsurf_i_roots_group(p);
-    if (crowded) {
-        algsurf_i_roots_retry(p);
-        (void)algsurf_i_roots_group(p);
+    s->count = algsurf_i_discs_boxes(&d, s->unit, s->roots);
+    s->moved += d.moved;
+    return 1;
+}
+
+static algsurf_status solve_doubles(problem *s, const algsurf_complex *start) {
+    algsurf_i_integers z;
+    int n = s->high - s->low;
+    algsurf_scaled *given = NULL;
+    if (!make_integers(s, &z)) return ALGSURF_E_NO_MEMORY;
+    if (!has_lead(&z)) return ALGSURF_E_RANGE;
+    if (start && !(given = algsurf_i_take(s->m, (size_t)n * sizeof *given))) return ALGSURF_E_NO_MEMORY;
+    for (int i = 0; given && i < n; i++) { /* what is no number is 0: it keeps its own start value */
+        int finite = isfinite(start[i].re) && isfinite(start[i].im);
+        given[i] = finite ? scaled_double(start[i].re, start[i].im, -s->unit) : algsurf_i_scaled_none();
     }
-    return algsurf_i_roots_boxes(p, boxes);
+    return n == 0 || solve(s, &z, given) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
-/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end.  What is rounded to 0
- * from below, or was -0, becomes +0. */
-static double unscale(double x, int unit, int side) {
-    double y = ldexp(x, unit);
-    if (isinf(y) && (y > 0) != (side > 0)) return y > 0 ? DBL_MAX : -DBL_MAX;
-    if (!isinf(y) && ldexp(y, -unit) != x) y = nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
-    return y + 0.0;
+static algsurf_status solve_integers(problem *s) {
+    algsurf_i_integers z;
+    return take_integers(s, &z) && (s->high == s->low || solve(s, &z, NULL)) ? ALGSURF_OK
+                                                                             : ALGSURF_E_NO_MEMORY;
 }
 
-/* A root's value in its box: the high part for a simple root, the middle for a cluster. */
-static double value_in(algsurf_interval box, double high, int unit, int multiplicity) {
-    double x = multiplicity == 1 ? ldexp(high, unit) : 0.5 * box.lo + 0.5 * box.hi;
-    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX) + 0.0;
-}
-
-/* Boxes in the caller's unit, and the exact root 0; returns their number, -1 when there are none to give.
- * Boxes that differ only beyond the range of double become one. */
-static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algsurf_complex_root *e,
-                       int count, int unit) {
-    for (int i = 0; i < count; i++) {
-        algsurf_cinterval *b = &e[i].box;
-        b->re = (algsurf_interval){unscale(b->re.lo, unit, -1), unscale(b->re.hi, unit, 1)};
-        b->im = (algsurf_interval){unscale(b->im.lo, unit, -1), unscale(b->im.hi, unit, 1)};
-        if (!(b->re.lo <= b->re.hi && b->im.lo <= b->im.hi)) return -1;
+/* With memory for all that is taken, and the root 0. */
+static algsurf_status solve_with_zero(problem *s, const algsurf_complex *start, algsurf_complex_root *roots,
+                                      int *count) {
+    uint64_t own[OWN_WORDS];
+    algsurf_memory m;
+    algsurf_memory_begin(&m, own, OWN_WORDS, MEMORY_LIMIT);
+    algsurf_memory_mark mark = algsurf_memory_here(&m);
+    s->m = &m;
+    s->roots = algsurf_i_take(&m, (size_t)(s->high + 1) * sizeof *s->roots);
+    algsurf_status status = ALGSURF_E_NO_MEMORY;
+    if (s->roots) status = s->c ? solve_doubles(s, start) : solve_integers(s);
+    if (status == ALGSURF_OK) {
+        if (s->low > 0) s->roots[s->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};
+        *count = algsurf_i_join_boxes(s->roots, s->count, s->real);
+        memcpy(roots, s->roots, (size_t)*count * sizeof *roots);
     }
-    if (in->low > 0) e[count++] = (algsurf_complex_root){{{0, 0}, {0, 0}}, {0, 0}, in->low, 1};
-    count = algsurf_i_roots_join(e, count, p->real);
-    for (int i = 0; i < count; i++) {
-        e[i].root.re = value_in(e[i].box.re, e[i].root.re, unit, e[i].multiplicity);
-        e[i].root.im = value_in(e[i].box.im, e[i].root.im, unit, e[i].multiplicity);
-    }
-    return count;
-}
-
-static int compare(const void *left, const void *right) {
-    const algsurf_complex_root *a = left, *b = right;
-    if (a->root.re != b->root.re) return a->root.re < b->root.re ? -1 : 1;
-    return (a->root.im > b->root.im) - (a->root.im < b->root.im);
-}
-
-void algsurf_i_roots_sort(algsurf_complex_root *roots, int count) {
-    qsort(roots, (size_t)count, sizeof *roots, compare);
-}
-
-ALGSURF_NOINLINE algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
-                                                      const algsurf_complex *start,
-                                                      algsurf_complex_root *boxes,
-                                                      algsurf_complex_root *roots, int *count) {
-    int unit = scale(p, in), n = 0;
-    if (!(p->size[p->n] * (1 - 8 * ALGSURF_U) > p->radius[p->n])) return ALGSURF_E_RANGE;
-    if (p->n > 0) n = solve_scaled(p, start, unit, boxes);
-    n = unscale_all(p, in, boxes, n, unit + in->unit);
-    if (n < 0) return ALGSURF_E_RANGE;
-    algsurf_i_roots_sort(boxes, n);
-    for (int i = 0; i < n; i++) roots[i] = boxes[i];
-    *count = n;
-    return ALGSURF_OK;
-}
-
-static algsurf_status run(algsurf_i_roots *p, const algsurf_i_input *in, const algsurf_complex *start,
-                          algsurf_complex_root *boxes, algsurf_complex_root *roots, int *count) {
-    p->iterations = p->retries = 0;
-    algsurf_status status = algsurf_i_roots_solve(p, in, start, boxes, roots, count);
-    if (status == ALGSURF_OK) algsurf_i_roots_separate(p, in, boxes, roots, count);
+    algsurf_memory_release(&m, mark);
     return status;
 }
 
-algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
-                                   int degree, int real_radii, const algsurf_complex *start,
-                                   algsurf_complex_root *roots, int *count) {
-    algsurf_i_input in;
-    algsurf_status status = read_input(c, r, degree, real_radii, &in);
-    if (status != ALGSURF_OK) return status;
-    lay_out(&memory->p, ALGSURF_MAX_DEGREE, memory->doubles, memory->ints);
-    memory->p.iterations = memory->p.retries = 0;
-    return algsurf_i_roots_solve(&memory->p, &in, start, memory->boxes, roots, count);
-}
-
-static ALGSURF_NOINLINE algsurf_status run_on_stack(const algsurf_i_input *in, algsurf_complex_root *roots,
-                                                    int *count) {
-    algsurf_i_roots_memory memory;
-    lay_out(&memory.p, ALGSURF_MAX_DEGREE, memory.doubles, memory.ints);
-    return run(&memory.p, in, NULL, memory.boxes, roots, count);
-}
-
-static algsurf_status run_on_heap(const algsurf_i_input *in, int degree, algsurf_complex_root *roots,
-                                  int *count) {
-    algsurf_complex_solver *solver;
-    algsurf_status status = algsurf_complex_solver_create(degree, &solver);
-    if (status != ALGSURF_OK) return status;
-    status = run(&solver->p, in, NULL, solver->boxes, roots, count);
-    algsurf_complex_solver_free(solver);
+algsurf_status algsurf_i_all_roots(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                   const algsurf_complex *start, algsurf_complex_root *roots, int *count,
+                                   algsurf_complex_solver_stats *stats) {
+    problem s;
+    if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = read_input(c, r, degree, real_radii, &s);
+    if (status == ALGSURF_OK) status = solve_with_zero(&s, start, roots, count);
+    if (status == ALGSURF_OK && stats) stats->iterations = s.proposed, stats->retries = s.moved;
     return status;
 }
 
-algsurf_status algsurf_i_roots_alone(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                     algsurf_complex_root *roots, int *count) {
-    algsurf_i_input in;
-    algsurf_status status = read_input(c, r, degree, real_radii, &in);
+algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re, const algsurf_integer *im,
+                                              int degree, algsurf_complex_root *roots, int *count) {
+    problem s;
+    if (!re || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = read_integers(re, im, degree, &s);
     if (status != ALGSURF_OK) return status;
-    return degree <= ALGSURF_MAX_DEGREE ? run_on_stack(&in, roots, count)
-                                        : run_on_heap(&in, degree, roots, count);
+    ALGSURF_STANDARD(status = solve_with_zero(&s, NULL, roots, count));
+    return status;
 }
+
+/* ---- solvers ---- */
+
+struct algsurf_complex_solver {
+    int max_degree;
+};
 
 algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver) {
     if (!solver || max_degree < 1) return ALGSURF_E_ARGUMENT;
     if (max_degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_DEGREE;
     algsurf_complex_solver *s = malloc(sizeof *s);
-    size_t m = (size_t)max_degree;
-    double *d = malloc(ALGSURF_ROOTS_DOUBLES * (m + 1) * sizeof *d);
-    int *k = malloc(ALGSURF_ROOTS_INTS * (m + 1) * sizeof *k);
-    algsurf_complex_root *boxes = malloc((m + 1) * sizeof *boxes);
-    if (!s || !d || !k || !boxes) {
-        free(s);
-        free(d);
-        free(k);
-        free(boxes);
-        return ALGSURF_E_NO_MEMORY;
-    }
+    if (!s) return ALGSURF_E_NO_MEMORY;
     s->max_degree = max_degree;
-    s->boxes = boxes;
-    lay_out(&s->p, max_degree, d, k);
     *solver = s;
     return ALGSURF_OK;
 }
 
-void algsurf_complex_solver_free(algsurf_complex_solver *solver) {
-    if (!solver) return;
-    free(solver->p.cr);
-    free(solver->p.exponent);
-    free(solver->boxes);
-    free(solver);
-}
+void algsurf_complex_solver_free(algsurf_complex_solver *solver) { free(solver); }
 
 algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const algsurf_complex *c,
                                           const double *r, int degree, const algsurf_complex *start,
                                           algsurf_complex_root *roots, int *count,
                                           algsurf_complex_solver_stats *stats) {
-    if (!solver || !roots || !count || (stats && !algsurf_options_fit(stats, sizeof *stats))) return ALGSURF_E_ARGUMENT;
+    algsurf_complex_solver_stats known = {0};
+    if (!solver || !roots || !count || (stats && !algsurf_options_fit(stats, sizeof *stats)))
+        return ALGSURF_E_ARGUMENT;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_i_input in;
-    algsurf_status status = read_input(c, r, degree, 0, &in);
-    if (status == ALGSURF_OK) status = run(&solver->p, &in, start, solver->boxes, roots, count);
-    algsurf_fpenv_leave(&saved);
-    if (status >= ALGSURF_OK && stats) {
-        algsurf_complex_solver_stats known = {0, solver->p.iterations, solver->p.retries};
-        algsurf_options_write(stats, &known, sizeof known);
-    }
+    algsurf_status status;
+    ALGSURF_STANDARD(status = algsurf_i_all_roots(c, r, degree, 0, start, roots, count, &known));
+    if (status >= ALGSURF_OK && stats) algsurf_options_write(stats, &known, sizeof known);
     return status;
 }

@@ -17,7 +17,7 @@
                                                 algsurf_complex_root *roots, int *count) {                   \
         algsurf_complex z[most + 1];                                                                         \
         for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};                                 \
-        return algsurf_i_roots_alone(z, r, degree, 1, roots, count);                                         \
+        return algsurf_i_all_roots(z, r, degree, 1, NULL, roots, count, NULL);                                         \
     }
 RUN_REAL(run_real, ALGSURF_MAX_DEGREE)
 RUN_REAL(run_large_real, ALGSURF_MAX_POLY_DEGREE)
@@ -39,7 +39,7 @@ static ALGSURF_NOINLINE algsurf_status solve(const algsurf_i_allroots_kernel *ke
     int real = 1;
     for (int k = 0; k <= degree; k++) real = real && c[k].im == 0;
     if (!r && run_in_lanes(kernel, &c->re, real ? NULL : &c->im, 2, degree, roots, count)) return ALGSURF_OK;
-    return algsurf_i_roots_alone(c, r, degree, 0, roots, count);
+    return algsurf_i_all_roots(c, r, degree, 0, NULL, roots, count, NULL);
 }
 
 static ALGSURF_NOINLINE algsurf_status solve_real(const algsurf_i_allroots_kernel *kernel, const double *c,

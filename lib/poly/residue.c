@@ -30,8 +30,8 @@ static algsurf_prime modulus(algsurf_limb c, int index) {
     return (algsurf_prime){p, 0 - inverse, 4 * c, 16 * c * c, index};
 }
 
-/* a^e in Montgomery's form, four bits of e at a time. */
-static algsurf_limb power(algsurf_limb a, algsurf_limb e, const algsurf_prime *m) {
+/* Four bits of e at a time. */
+algsurf_limb algsurf_residue_power(algsurf_limb a, algsurf_limb e, const algsurf_prime *m) {
     algsurf_limb table[16] = {m->one, a}, r = m->one;
     for (int i = 2; i < 16; i++) table[i] = algsurf_residue_times(table[i - 1], a, m);
     for (int shift = 60; shift >= 0; shift -= 4) {
@@ -67,7 +67,7 @@ algsurf_limb algsurf_residue_inverse(algsurf_limb a, const algsurf_prime *m) {
 /* Is a^d, squared s - 1 times, ever what it must be for a prime p = 1 + d 2^s? */
 static int passes(algsurf_limb base, algsurf_limb d, int s, const algsurf_prime *m) {
     algsurf_limb minus_one = m->p - m->one;
-    algsurf_limb x = power(algsurf_residue_times(base, m->square, m), d, m);
+    algsurf_limb x = algsurf_residue_power(algsurf_residue_times(base, m->square, m), d, m);
     if (x == m->one || x == minus_one) return 1;
     for (int i = 1; i < s; i++) {
         x = algsurf_residue_times(x, x, m);

@@ -37,6 +37,9 @@ static inline algsurf_limb algsurf_residue_minus(algsurf_limb a, algsurf_limb b,
     return a >= b ? a - b : a + m->p - b;
 }
 
+/* a^e in Montgomery's form. */
+algsurf_limb algsurf_residue_power(algsurf_limb a, algsurf_limb e, const algsurf_prime *m);
+
 /* 1/a in Montgomery's form, a not 0. */
 algsurf_limb algsurf_residue_inverse(algsurf_limb a, const algsurf_prime *m);
 

@@ -266,12 +266,12 @@ static int choose(const complex_query *q, algsurf_complex_root *s, algsurf_compl
 /* All roots; apart, so that their memory is free again afterwards. */
 static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_complex *start,
                                                 algsurf_complex_root *local, int *count, int *iterations) {
-    algsurf_i_roots_memory memory;
+    algsurf_complex_solver_stats stats;
     algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
     if (!expand(q)) return ALGSURF_E_RANGE;
-    algsurf_status status = algsurf_i_roots_run(&memory, q->c, q->r, q->surface->degree, q->real,
-                                                start_in_v(q, start, v), local, count);
-    if (status == ALGSURF_OK) *iterations = memory.p.iterations;
+    algsurf_status status = algsurf_i_all_roots(q->c, q->r, q->surface->degree, q->real,
+                                                start_in_v(q, start, v), local, count, &stats);
+    if (status == ALGSURF_OK) *iterations = stats.iterations;
     return status;
 }
 

@@ -1,0 +1,166 @@
+/* answer.c - boxes of doubles about the roots that discs.c has found, and their order.
+ *
+ * A root is z - W, off by a radius: sums of integers in units of 2^-30 of the radius or smaller ones, each
+ * cut to less than one unit, so that three more in the radius cover them; the ends are rounded by
+ * algsurf_z_round_down and _up. */
+#include "../base/arithmetic.h"
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "discs.h"
+
+#define MOST_BITS 1300 /* of a root: 1075 below 1 is no double any more */
+#define LIMBS (MOST_BITS / 64 + 4)
+
+static int clamped(int64_t e) { return (int)(e < -100000 ? -100000 : e > 100000 ? 100000 : e); }
+
+/* A part of the root: x 2^exponent - step 2^step_exponent, off by the radius; `top` bounds the exponents of
+ * all. Times 2^unit. */
+static algsurf_interval part(const algsurf_limb *x, int w, int64_t exponent, double step,
+                             int64_t step_exponent, algsurf_scaled radius, int64_t top, int64_t unit,
+                             double *value) {
+    algsurf_limb a[LIMBS] = {0}, b[LIMBS], r = 0;
+    int exact = radius.re == 0, e;
+    int64_t low = exact ? exponent : radius.exponent - 30;
+    if (low < top - MOST_BITS) low = top - MOST_BITS, exact = 0;
+    if (low > top) low = top;
+    if (!exact)
+        r = 3 + (radius.exponent < low - 1
+                     ? 1
+                     : (algsurf_limb)ceil(ldexp(radius.re, (int)(radius.exponent - low))));
+    algsurf_limb m = (algsurf_limb)(int64_t)(-step * 0x1p60);
+    algsurf_i_add_shifted(a, LIMBS, x, w, exponent - low);
+    if (step != 0) algsurf_i_add_shifted(a, LIMBS, &m, 1, step_exponent - 60 - low);
+    algsurf_z_copy(b, LIMBS, a, LIMBS);
+    double middle = algsurf_z_to_double(a, LIMBS, &e);
+    *value = ldexp(middle, clamped(e + low + unit));
+    algsurf_z_add_limbs(a, LIMBS, 0, r);
+    algsurf_z_add_limbs(b, LIMBS, r, 0);
+    return (algsurf_interval){algsurf_z_round_down(a, LIMBS, clamped(low + unit)) + 0.0,
+                              algsurf_z_round_up(b, LIMBS, clamped(low + unit)) + 0.0};
+}
+
+/* A number in the box that is finite. */
+static double inside(algsurf_interval box, double x) {
+    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX) + 0.0;
+}
+
+static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit) {
+    const algsurf_i_disc *known = d->root + i;
+    const algsurf_i_point *z = &known->z;
+    algsurf_scaled step = algsurf_i_scaled_none(), radius = known->disc;
+    if (d->root[known->group].members == 1 && known->blur.exponent < radius.exponent) {
+        step = known->step;
+        radius = algsurf_i_scaled_by(algsurf_i_scaled_join(known->blur, known->error, 1), 1 + 0x1p-40);
+    }
+    int64_t top = z->head.exponent > step.exponent ? z->head.exponent : step.exponent;
+    if (radius.exponent > top) top = radius.exponent;
+    algsurf_complex_root root = {.multiplicity = 1};
+    root.box.re = part(z->x, z->w, z->exponent, step.re, step.exponent, radius, top, unit, &root.root.re);
+    root.box.im = part(z->y, z->w, z->exponent, step.im, step.exponent, radius, top, unit, &root.root.im);
+    return root;
+}
+
+static double middle(algsurf_interval x) { return inside(x, 0.5 * x.lo + 0.5 * x.hi); }
+
+static algsurf_interval hull(algsurf_interval a, algsurf_interval b) {
+    return (algsurf_interval){fmin(a.lo, b.lo), fmax(a.hi, b.hi)};
+}
+
+static int meet(algsurf_cinterval a, algsurf_cinterval b) {
+    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
+}
+
+static algsurf_cinterval mirror(algsurf_cinterval a) {
+    return (algsurf_cinterval){a.re, {-a.im.hi, -a.im.lo}};
+}
+
+/* Box k joins box j; returns the number of boxes left. */
+static int unite(algsurf_complex_root *e, int count, int j, int k) {
+    e[j].box = (algsurf_cinterval){hull(e[j].box.re, e[k].box.re), hull(e[j].box.im, e[k].box.im)};
+    e[j].root = (algsurf_complex){middle(e[j].box.re), middle(e[j].box.im)};
+    e[j].multiplicity += e[k].multiplicity;
+    e[j].real = e[j].real && e[k].real;
+    e[k] = e[--count];
+    return count;
+}
+
+/* The first two boxes that have to be one: they meet, or both meet the mirror image of a box. */
+static int find_pair(const algsurf_complex_root *e, int count, int real, int *first, int *second) {
+    for (int i = 0; i < count; i++) {
+        algsurf_cinterval image = mirror(e[i].box);
+        int met = -1;
+        for (int j = real ? 0 : i + 1; j < count; j++) {
+            *first = i, *second = j;
+            if (j > i && meet(e[i].box, e[j].box)) return 1;
+            if (!real || !meet(image, e[j].box)) continue;
+            *first = met;
+            if (met >= 0) return 1;
+            met = j;
+        }
+    }
+    return 0;
+}
+
+/* The boxes of unions of discs may meet where the discs do not, and so may rounded ones. */
+static int join(algsurf_complex_root *e, int count, int real) {
+    int first, second;
+    while (find_pair(e, count, real, &first, &second)) count = unite(e, count, first, second);
+    return count;
+}
+
+/* For real coefficients the mirror image of a box holds as many roots as the box, and now meets one box only,
+ * whose image in turn meets only the first: the roots of either lie in what it shares with the image of the
+ * other.  If a box meets its own image, a single root in it is real. */
+static void use_symmetry(algsurf_complex_root *e, int count) {
+    for (int i = 0; i < count; i++) {
+        algsurf_cinterval image = mirror(e[i].box);
+        int j = 0;
+        while (j < count && !meet(image, e[j].box)) j++;
+        if (j < i || j == count) continue;
+        algsurf_cinterval *a = &e[i].box, *b = &e[j].box;
+        *b = (algsurf_cinterval){{fmax(image.re.lo, b->re.lo), fmin(image.re.hi, b->re.hi)},
+                                 {fmax(image.im.lo, b->im.lo), fmin(image.im.hi, b->im.hi)}};
+        *a = mirror(*b);
+        e[j].root = (algsurf_complex){e[i].root.re, -e[i].root.im};
+        if (i != j) continue;
+        e[i].root.im = 0;
+        e[i].real = e[i].multiplicity == 1;
+        if (e[i].real) a->im = (algsurf_interval){0, 0};
+    }
+}
+
+static int compare(const void *left, const void *right) {
+    const algsurf_complex_root *a = left, *b = right;
+    if (a->root.re != b->root.re) return a->root.re < b->root.re ? -1 : 1;
+    return (a->root.im > b->root.im) - (a->root.im < b->root.im);
+}
+
+int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots) {
+    int count = 0;
+    for (int g = 0; g < d->n; g++) {
+        if (d->root[g].group != g || d->root[g].left_out) continue;
+        algsurf_complex_root *e = roots + count++;
+        *e = box_of(d, g, unit);
+        for (int i = g + 1; i < d->n; i++) {
+            if (d->root[i].group != g) continue;
+            algsurf_complex_root more = box_of(d, i, unit);
+            e->box = (algsurf_cinterval){hull(e->box.re, more.box.re), hull(e->box.im, more.box.im)};
+            e->root = (algsurf_complex){middle(e->box.re), middle(e->box.im)};
+            e->multiplicity++;
+        }
+    }
+    count = join(roots, count, d->p->real);
+    if (d->p->real) use_symmetry(roots, count);
+    for (int i = 0; i < count; i++)
+        roots[i].root = (algsurf_complex){inside(roots[i].box.re, roots[i].root.re),
+                                          inside(roots[i].box.im, roots[i].root.im)};
+    return count;
+}
+
+int algsurf_i_join_boxes(algsurf_complex_root *e, int count, int real) {
+    count = join(e, count, real);
+    qsort(e, (size_t)count, sizeof *e, compare);
+    return count;
+}

@@ -1,0 +1,218 @@
+/* discs.c - discs that hold all roots of a polynomial: everything here is a proof.
+ *
+ * Discs (Smith 1970; Gershgorin for diag(z) - W 1^T, whose characteristic polynomial is p / c_n).  For
+ * distinct z_1 .. z_n and W_i = p(z_i) / D_i, D_i = c_n prod_{j != i} (z_i - z_j), the discs about z_i with
+ * radius n |W_i| cover all roots of p, and a union of k of them that no other touches holds exactly k.
+ *
+ * Narrower.  p(z_i) = c_n prod_j (z_i - r_j) over all roots, so r_i is exactly z_i - p(z_i) / (c_n prod_{j !=
+ * i} (z_i - r_j)).  If r_j is within R_j of z_j, and s = sum_{j != i} R_j / |z_i - z_j| <= 1/2, this differs
+ * from W_i by at most |W_i| (1 / prod (1 - R_j / |z_i - z_j|) - 1) <= 2 s |W_i|.  With radii that holds for
+ * each polynomial of the set and its W, which is off that of the middle by p's error / D and, for c_n's, by
+ * |W| r_n / (|c_n| - r_n).  The members of a group are matched with its roots somehow: no root is farther
+ * from its point than twice the discs' radii together.
+ *
+ * Rounding.  A difference is off by 2^-25 of itself (point.c), the product of n - 1 of them, with the
+ * roundings, by n 2^-24, as n <= 512 keeps (1 + 2^-25)^n below 1 + n 2^-24.5.  All else is off by a few u. */
+#include "../base/arithmetic.h"
+#include "discs.h"
+
+#define SLACK 0x1p-24    /* relative error of a product, for each factor */
+#define UP (1 + 0x1p-40) /* for what is rounded a few hundred times */
+#define ENOUGH 0x1p24    /* a value exceeds its error by that */
+
+static algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_times(a, b); }
+
+static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
+
+static algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_join(a, b, 1); }
+
+static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
+
+static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
+
+/* |a|, rounded up. */
+static algsurf_scaled size_of(algsurf_scaled a) { return by(algsurf_i_scaled_size(a), UP); }
+
+static int difference(const algsurf_i_discs *d, int i, int j, algsurf_scaled *result) {
+    return algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, result);
+}
+
+/* ---- values ---- */
+
+void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                      algsurf_scaled *spread) {
+    algsurf_scaled far = size_of(z->head);
+    for (int j = 0; j <= last; j++) spread[j] = algsurf_i_scaled_none();
+    for (int k = p->re.degree; k >= 0 && p->radius; k--)
+        for (int j = last; j >= 0; j--)
+            spread[j] = sum(times(spread[j], far), j > 0 ? spread[j - 1] : p->radius[k]);
+    for (int j = 0; j <= last; j++) spread[j] = by(spread[j], UP);
+}
+
+/* p(z), with as many limbs as it takes. */
+static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
+    algsurf_scaled spread;
+    algsurf_i_spread(d->p, &root->z, 0, &spread);
+    for (;; root->width += root->width / 2 + 1) {
+        if (!algsurf_i_taylor(d->m, d->p, &root->z, 0, root->width, &root->value, &root->lost)) return 0;
+        algsurf_scaled lost = by(root->lost, ENOUGH);
+        if (!less(size_of(root->value), lost) || less(lost, spread)) break;
+    }
+    root->stuck = d->p->radius && !less(by(spread, 4), size_of(root->value));
+    root->lost = sum(root->lost, spread);
+    root->known = 1;
+    return 1;
+}
+
+/* ---- discs ---- */
+
+static algsurf_scaled lead_of(const algsurf_i_gaussian *p) {
+    const algsurf_limb *x = algsurf_zpoly_at(&p->re, p->re.degree);
+    algsurf_scaled lead =
+        algsurf_i_head(x, p->im.c ? algsurf_zpoly_at(&p->im, p->re.degree) : x, p->re.width, 0);
+    return p->im.c ? lead : algsurf_i_scaled_of(lead.re, 0, lead.exponent);
+}
+
+/* step = c_n prod (z - z_j), and nearest. */
+static int set_products(algsurf_i_discs *d) {
+    algsurf_scaled lead = lead_of(d->p), a;
+    for (int i = 0; i < d->n; i++) d->root[i].step = lead, d->root[i].nearest = ALGSURF_I_ENDLESS;
+    for (int i = 0; i < d->n; i++)
+        for (int j = 0; j < i; j++) {
+            if (!difference(d, i, j, &a)) return 0;
+            algsurf_scaled least = algsurf_i_scaled_of(0.5 * fmax(fabs(a.re), fabs(a.im)), 0, a.exponent);
+            if (less(least, d->root[i].nearest)) d->root[i].nearest = least;
+            if (less(least, d->root[j].nearest)) d->root[j].nearest = least;
+            d->root[i].step = times(d->root[i].step, a);
+            a.re = -a.re, a.im = -a.im;
+            d->root[j].step = times(d->root[j].step, a);
+        }
+    return 1;
+}
+
+/* How much larger 1/|c_n| may be than at the middle, relatively: r / (|c_n| - r). */
+static algsurf_scaled spread_of_lead(const algsurf_i_gaussian *p) {
+    if (!p->radius) return algsurf_i_scaled_none();
+    algsurf_scaled r = p->radius[p->re.degree], least = by(algsurf_i_scaled_size(lead_of(p)), 1 - 0x1p-45);
+    return by(over(r, by(algsurf_i_scaled_join(least, r, -1), 1 - 0x1p-45)), UP);
+}
+
+static int set_discs(algsurf_i_discs *d) {
+    const int n = d->n;
+    algsurf_scaled lead = spread_of_lead(d->p),
+                   loss = by(sum(lead, algsurf_i_scaled_of(1, 0, 0)), (1 + n * SLACK) * UP);
+    if (!set_products(d)) return 0;
+    for (int i = 0; i < n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        algsurf_scaled product = root->step;
+        root->disc = ALGSURF_I_ENDLESS;
+        root->step = algsurf_i_scaled_none();
+        if (algsurf_i_scaled_is_zero(product)) continue;
+        algsurf_scaled unit = over(loss, algsurf_i_scaled_size(product));
+        root->step = over(root->value, product);
+        root->error = by(sum(times(root->lost, unit), times(size_of(root->step), lead)), UP);
+        root->disc = by(times(sum(size_of(root->value), root->lost), unit), n * UP);
+    }
+    return 1;
+}
+
+/* ---- groups ---- */
+
+static int first_of(const algsurf_i_discs *d, int i) {
+    while (d->root[i].group != i) i = d->root[i].group;
+    return i;
+}
+
+static int touch(algsurf_i_discs *d, int i, int j, int *result) {
+    algsurf_scaled distance, reach = by(sum(d->root[i].disc, d->root[j].disc), 1 + 0x1p-20);
+    if (!difference(d, i, j, &distance)) return 0;
+    *result = distance.exponent <= reach.exponent && !less(reach, size_of(distance));
+    return 1;
+}
+
+static int set_groups(algsurf_i_discs *d) {
+    for (int i = 0; i < d->n; i++) {
+        d->root[i].group = i;
+        d->root[i].members = 0;
+        for (int j = 0; j < i; j++) {
+            int together;
+            if (!touch(d, i, j, &together)) return 0;
+            if (!together) continue;
+            int a = first_of(d, i), b = first_of(d, j);
+            d->root[a > b ? a : b].group = a > b ? b : a;
+        }
+    }
+    for (int i = 0; i < d->n; i++) d->root[d->root[i].group = first_of(d, i)].members++;
+    return 1;
+}
+
+/* s of root i.  First with the largest reach and the least distance for all. */
+static int share_of(algsurf_i_discs *d, int i, algsurf_scaled most, algsurf_scaled *share) {
+    algsurf_i_disc *root = d->root + i;
+    algsurf_scaled far;
+    *share = by(over(most, root->nearest), d->n * UP);
+    if (share->exponent < -40) return 1;
+    *share = algsurf_i_scaled_none();
+    for (int j = 0; j < d->n; j++) {
+        if (j == i) continue;
+        if (!difference(d, i, j, &far)) return 0;
+        *share = sum(*share, over(d->root[d->root[j].group].next, algsurf_i_scaled_size(far)));
+    }
+    *share = by(*share, 1 + d->n * SLACK);
+    return 1;
+}
+
+/* How far roots that are alone can be from z - step, where it is worth the time: |W| well below |z|. */
+static int set_blur(algsurf_i_discs *d) {
+    algsurf_scaled most = algsurf_i_scaled_none();
+    for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+    for (int i = 0; i < d->n; i++) {
+        algsurf_scaled *reach = &d->root[d->root[i].group].next;
+        *reach = sum(*reach, by(d->root[i].disc, 2));
+        if (less(most, *reach)) most = *reach;
+    }
+    for (int i = 0; i < d->n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        algsurf_scaled share;
+        root->blur = ALGSURF_I_ENDLESS;
+        if (d->root[root->group].members > 1) continue;
+        if (!root->stuck && root->disc.exponent > root->z.head.exponent - 16) continue;
+        if (!share_of(d, i, most, &share)) return 0;
+        if (share.exponent >= -1) continue;
+        share = sum(by(share, 2), algsurf_i_scaled_of(d->n * SLACK, 0, 0));
+        root->blur = times(size_of(root->step), by(share, UP));
+        root->error = times(root->error, by(sum(share, algsurf_i_scaled_of(1, 0, 0)), UP));
+    }
+    return 1;
+}
+
+/* Which points are conjugate; p is there, too. */
+static void set_mates(algsurf_i_discs *d) {
+    for (int i = 0; i < d->n; i++) d->root[i].mate = -1;
+    for (int i = 0; i < d->n && d->p->real; i++)
+        for (int j = 0; j < i && d->root[i].mate < 0; j++)
+            if (algsurf_i_is_conjugate(&d->root[i].z, &d->root[j].z))
+                d->root[i].mate = j, d->root[j].mate = i;
+}
+
+static int set_values(algsurf_i_discs *d) {
+    set_mates(d);
+    for (int i = 0; i < d->n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        if (root->known) continue;
+        if (root->mate < 0 || root->mate > i) {
+            if (!set_value(d, root)) return 0;
+            continue;
+        }
+        const algsurf_i_disc *mate = d->root + root->mate;
+        root->value = mate->value, root->lost = mate->lost, root->width = mate->width;
+        root->value.im = -root->value.im;
+        root->stuck = mate->stuck, root->known = 1;
+    }
+    return 1;
+}
+
+int algsurf_i_discs_prove(algsurf_i_discs *d) {
+    if (!set_values(d)) return 0;
+    return set_discs(d) && set_groups(d) && set_blur(d);
+}

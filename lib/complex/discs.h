@@ -1,0 +1,164 @@
+/* discs.h - the second engine: all complex roots of a polynomial of integers, as far apart as they are.
+ *
+ * Values are integers cut to as many limbs as they need (taylor.c), points are integers (point.c), everything
+ * else is doubles with exponents (scaled.h).  propose.c begins, discs.c proves, part.c brings roots apart,
+ * answer.c rounds. */
+#ifndef ALGSURF_COMPLEX_DISCS_H
+#define ALGSURF_COMPLEX_DISCS_H
+#include "algsurf/allroots.h"
+#include "../poly/integral.h"
+#include "scaled.h"
+
+/* sum (re_k + i im_k) z^k with integers; the leading coefficient is not 0. */
+typedef struct algsurf_i_gaussian {
+    algsurf_zpoly re, im;         /* of one degree and width; im.c null: real */
+    const int *bits;              /* degree+1: |re_k|, |im_k| <= 2^bits; -1: both are 0 */
+    const algsurf_scaled *radius; /* degree+1 sizes: coefficients are off by that much; null: exact */
+    int real;                     /* coefficients are real, and so is what the radii mean */
+} algsurf_i_gaussian;
+
+/* (x + iy) 2^exponent, in w limbs each. */
+typedef struct algsurf_i_point {
+    algsurf_limb *x, *y;
+    int w, room; /* limbs in use, and at x and y */
+    int64_t exponent;
+    algsurf_scaled head;  /* off by 2^-52 of its larger part in each part */
+    algsurf_scaled above; /* |y|, off by 2^-52 of itself */
+} algsurf_i_point;
+
+/* A root, and what is known of it.  Its group's discs hold as many roots as the group has members; one that
+ * is alone lies within blur + error of z - step. */
+typedef struct algsurf_i_disc {
+    algsurf_i_point z;
+    algsurf_scaled value, lost; /* p(z), and a size by which it may be off */
+    algsurf_scaled step, error; /* W = p(z) / (c_n prod (z - z_j)), and a size by which it may be off */
+    algsurf_scaled disc;        /* n |W|, rounded up; ALGSURF_I_ENDLESS: none */
+    algsurf_scaled blur;        /* of z - step, by the other discs; endless: not known */
+    algsurf_scaled nearest;     /* no other point is closer; n = 1: endless */
+    algsurf_scaled next;        /* work space */
+    int width;                  /* limbs of values */
+    int group, members;     /* the group's first root; how many there are in the group that starts here, */
+    int age, before;        /* for how many sweeps, and before them */
+    unsigned char known;    /* value is p(z) */
+    unsigned char stuck;    /* it is 0 within four times the radii */
+    unsigned char placed;   /* where its disc is about as small as radii allow */
+    unsigned char done;     /* needs no step */
+    int mate;               /* the root at the conjugate point, of a real polynomial; -1: none */
+    unsigned char left_out; /* no root of the polynomial that is asked for */
+} algsurf_i_disc;
+
+#define ALGSURF_I_ENDLESS ((algsurf_scaled){1, 0, (int64_t)1 << 46}) /* a size above all others */
+
+typedef struct algsurf_i_discs {
+    const algsurf_i_gaussian *p;
+    algsurf_memory *m;
+    int n, moved; /* degree; steps so far */
+    algsurf_i_disc *root;
+} algsurf_i_discs;
+
+/* Functions that return int give 0 when there is no memory. */
+
+static inline void *algsurf_i_take(algsurf_memory *m, size_t bytes) {
+    return algsurf_memory_take(m, (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t));
+}
+
+/* ---- taylor.c ---- */
+
+/* r += floor(a 2^shift), for w limbs. */
+void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift);
+/* The head of (x + iy) 2^exponent. */
+algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent);
+/* The coefficients of p(z + y) up to that of y^last, by Horner's rule on integers of w >= 2 limbs:
+ * coefficient j is within the size lost[j] of value[j], radii not counted.  lost[j] is 0 where nothing was
+ * cut. */
+int algsurf_i_taylor(algsurf_memory *m, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                     int w, algsurf_scaled *value, algsurf_scaled *lost);
+
+/* ---- point.c ---- */
+
+/* z = from + way, rounded down to multiples of 2^low; y = 0 if on_axis.  z may be `from`. */
+int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from,
+                        algsurf_scaled way, int64_t low, int on_axis);
+/* z = the conjugate of `from`. */
+int algsurf_i_set_conjugate(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from);
+/* b is exactly the conjugate of a. */
+int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b);
+/* a - b, off by 2^-25 of itself; 0 only where they are equal. */
+int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                         algsurf_scaled *result);
+
+/* ---- propose.c ---- */
+
+/* Start values for the n roots of sum c_k z^k, |c_k| <= size_k; *fit: doubles suffice to go on from them. */
+int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit);
+/* Approximations of the n roots of sum c_k z^k, some of them perhaps bad, from start values `given` where
+ * that is not null, and they are not 0; |c_k| <= size_k, which are not 0 for k = 0 and n.  radius: null, or
+ * sizes by which coefficients may be off: less is not asked.  Adds to *corrections how many there were of a
+ * root. */
+int algsurf_i_propose(algsurf_memory *m, const algsurf_scaled *c, const algsurf_scaled *size,
+                      const algsurf_scaled *radius, int n, const algsurf_scaled *given, algsurf_scaled *z,
+                      int *corrections);
+
+/* ---- discs.c, part.c ---- */
+
+int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
+                          const algsurf_scaled *z);
+/* p at the points that have moved, and all discs and groups. */
+int algsurf_i_discs_prove(algsurf_i_discs *d);
+/* Upper bounds of sum_k C(k,j) r_k |z|^(k-j) for j = 0 to `last`: what radii make of Taylor's coefficients.
+ */
+void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                      algsurf_scaled *spread);
+/* Sweeps until all roots are alone and narrow, or as small as radii allow, or `most` times; *open: how many
+ * are not. */
+int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);
+
+#define ALGSURF_I_MOST_SWEEPS 1000
+
+/* ---- factors.c ---- */
+
+/* A polynomial of integers, and what doubles say of it. */
+typedef struct algsurf_i_integers {
+    algsurf_i_gaussian p;
+    int *bits;
+    algsurf_scaled *head, *size, *radius; /* degree+1; the last is not set by algsurf_i_make_heads */
+} algsurf_i_integers;
+/* From z->p.re and .im. */
+int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z);
+
+/* Roots by factors. */
+typedef struct algsurf_i_factors {
+    algsurf_memory *m;
+    int64_t unit;                /* roots are times 2^unit */
+    algsurf_complex_root *roots; /* room for the degree */
+    int count;                   /* how many boxes; they may meet */
+    int *proposed, *moved;       /* counts of steps */
+    int real;                    /* set: all coefficients are real */
+} algsurf_i_factors;
+/* All roots of an exact polynomial with multiple ones, each with its multiplicity; count stays 0 if there are
+ * no multiple ones, or they could not be told apart. */
+int algsurf_i_solve_factors(algsurf_i_factors *f, const algsurf_i_gaussian *p);
+
+/* ---- on_axis.c ---- */
+
+/* The only root of a polynomial in the open interval (a, b) 2^-r, at whose ends it has different signs; b
+ * null: the point a 2^-r. */
+typedef struct algsurf_i_root_on_axis {
+    algsurf_limb *a, *b;
+    int width, r;
+} algsurf_i_root_on_axis;
+/* All real roots of f, which is squarefree and of a degree of at least 3, in increasing order; `at` has room
+ * for the degree.  *count -1: they were not found. */
+int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at,
+                            int *count);
+
+/* ---- answer.c ---- */
+
+/* Boxes of the groups, times 2^unit, rounded outward, disjoint; those of a real polynomial are symmetric.
+ * Returns their number. */
+int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots);
+/* Joins boxes that meet; `real`: also those that meet one box's mirror image.  Returns the number left, in
+ * order. */
+int algsurf_i_join_boxes(algsurf_complex_root *roots, int count, int real);
+
+#endif

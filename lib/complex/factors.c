@@ -1,0 +1,219 @@
+/* factors.c - polynomials with multiple roots, by factors that have none.
+ *
+ * Real ones: p is a constant times prod f_k^k, where the squarefree f_k holds the roots of multiplicity k,
+ * once each (Yun 1976, poly/multiplicity.c); each f_k is solved by itself.
+ *
+ * Others: p = a + ib with a, b in Z[x], g = gcd(a, b), p = g h.  The real g is solved like that.  h = u + iv
+ * has no real root and none together with its conjugate, as both u and v would vanish there, which have no
+ * common factor.  So the roots of N = u^2 + v^2 = h h* are those of h, with their multiplicities, and their
+ * conjugates: of each pair, h vanishes at one.  At the other it is shown not to: |h(z)| exceeds its change
+ * over a disc that holds the root, R sum k |c_k|
+ * (|z| + R)^(k-1). */
+#include "../base/arithmetic.h"
+#include <string.h>
+
+#include "../poly/integral_impl.h"
+#include "../poly/residue.h"
+#include "discs.h"
+
+int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z) {
+    int n = z->p.re.degree, w = z->p.re.width;
+    size_t terms = (size_t)n + 1;
+    z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
+    z->head = algsurf_i_take(m, 3 * terms * sizeof *z->head);
+    if (!z->bits || !z->head) return 0;
+    z->size = z->head + terms, z->radius = z->size + terms;
+    for (int k = 0; k <= n; k++) {
+        const algsurf_limb *x = algsurf_zpoly_at(&z->p.re, k),
+                           *y = z->p.im.c ? algsurf_zpoly_at(&z->p.im, k) : x;
+        int a = algsurf_z_bits(x, w), b = algsurf_z_bits(y, w);
+        z->head[k] = algsurf_i_head(x, y, w, 0);
+        if (!z->p.im.c) z->head[k] = algsurf_i_scaled_of(z->head[k].re, 0, z->head[k].exponent);
+        z->size[k] = algsurf_i_scaled_size(z->head[k]);
+        z->bits[k] = algsurf_i_scaled_is_zero(z->head[k]) ? -1 : a > b ? a : b;
+    }
+    z->p.bits = z->bits;
+    return 1;
+}
+
+/* ---- is there a multiple root? ---- */
+
+/* A square root of -1 modulo the next prime that has one; 0: this one has none. */
+static algsurf_limb root_of_minus_one(const algsurf_prime *q) {
+    if (q->p % 4 != 1) return 0;
+    for (algsurf_limb a = 2;; a++) { /* a^((q-1)/4) for one of every two a */
+        algsurf_limb i = algsurf_residue_power(algsurf_residue_times(a, q->square, q), (q->p - 1) / 4, q);
+        if (algsurf_residue_times(i, i, q) == q->p - q->one) return i;
+    }
+}
+
+/* gcd(p, p') is constant modulo a prime ideal of Z[i] that does not divide the leading coefficient: no root
+ * is multiple.  Two images at most; if neither shows it, p has a multiple root, or luck was bad. */
+static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *answer) {
+    const int n = p->re.degree;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    algsurf_limb *x = algsurf_memory_take(m, 3 * (size_t)(n + 1)), *y = x + n + 1, *derivative = y + n + 1,
+                 *gcd;
+    if (!x) return 0;
+    *answer = 0;
+    algsurf_prime q = algsurf_prime_first();
+    for (int tries = 0; tries < 2 && !*answer; q = algsurf_prime_next(&q)) {
+        algsurf_limb i = root_of_minus_one(&q);
+        if (!i) continue;
+        algsurf_residues_of(x, p->re.c, n + 1, p->re.width, &q);
+        algsurf_residues_of(y, p->im.c, n + 1, p->re.width, &q);
+        for (int k = 0; k <= n; k++)
+            x[k] = algsurf_residue_minus(x[k], algsurf_residue_times(i, q.p - y[k], &q), &q);
+        tries++;
+        if (x[n] == 0) continue;
+        algsurf_residues_derive(derivative, x, n, &q);
+        *answer = n < 2 || algsurf_residues_gcd(x, n, derivative, n - 1, &gcd, &q) == 0;
+    }
+    algsurf_memory_release(m, mark);
+    return 1;
+}
+
+/* ---- one factor ---- */
+
+/* h is not 0 within R of z. */
+static int is_no_root(algsurf_memory *m, const algsurf_i_integers *h, const algsurf_i_point *z,
+                      algsurf_scaled R, int *answer) {
+    algsurf_scaled value, lost, far = algsurf_i_scaled_join(algsurf_i_scaled_size(z->head), R, 1);
+    algsurf_scaled change = algsurf_i_scaled_none();
+    if (!algsurf_i_taylor(m, &h->p, z, 0, z->w + 3, &value, &lost)) return 0;
+    for (int k = h->p.re.degree; k > 0; k--)
+        change =
+            algsurf_i_scaled_join(algsurf_i_scaled_times(change, far), algsurf_i_scaled_by(h->size[k], k), 1);
+    change = algsurf_i_scaled_join(algsurf_i_scaled_times(change, R), lost, 1);
+    *answer = algsurf_i_scaled_less(algsurf_i_scaled_by(change, 1 + 0x1p-20), algsurf_i_scaled_size(value));
+    return 1;
+}
+
+/* Leaves out the roots that h has not; *done: that is known of each. */
+static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *done) {
+    *done = 1;
+    for (int i = 0; i < d->n && *done; i++) {
+        algsurf_i_disc *root = d->root + i;
+        algsurf_i_point z = {.room = 0};
+        int is_out, mate_is_out;
+        algsurf_scaled step = root->step, R = algsurf_i_scaled_join(root->blur, root->error, 1);
+        if (d->root[root->group].members > 1) return !(*done = 0);
+        algsurf_scaled unit =
+            algsurf_i_scaled_of(0x1p-50, 0, R.re > 0 ? R.exponent : root->z.head.exponent - 100);
+        step.re = -step.re, step.im = -step.im;
+        if (!algsurf_i_set_point(d->m, &z, &root->z, step, unit.exponent, 0)) return 0;
+        R = algsurf_i_scaled_join(R, algsurf_i_scaled_by(unit, 4), 1);
+        if (!is_no_root(d->m, h, &z, R, &is_out)) return 0;
+        if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(d->m, h, &z, R, &mate_is_out)) return 0;
+        root->left_out = (unsigned char)is_out;
+        *done = is_out != mate_is_out;
+    }
+    return 1;
+}
+
+/* The roots of f, which is squarefree; h not null: those that h has, too. */
+static int solve_factor(algsurf_i_factors *s, const algsurf_zpoly *f, int multiplicity,
+                        const algsurf_i_integers *h, int *done) {
+    algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
+    algsurf_i_discs d;
+    int open;
+    algsurf_scaled *at = algsurf_i_take(s->m, (size_t)f->degree * sizeof *at);
+    if (!at || !algsurf_i_make_heads(s->m, &z)) return 0;
+    if (!algsurf_i_propose(s->m, z.head, z.size, NULL, f->degree, NULL, at, s->proposed)) return 0;
+    if (!algsurf_i_discs_begin(&d, s->m, &z.p, at) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
+        return 0;
+    *s->moved += d.moved;
+    if (h && !choose(&d, h, done)) return 0;
+    if (!*done) return 1;
+    z.p.real = !h;
+    algsurf_complex_root *roots = s->roots + s->count;
+    int count = algsurf_i_discs_boxes(&d, s->unit, roots);
+    for (int i = 0; i < count; i++) {
+        roots[i].multiplicity *= multiplicity;
+        roots[i].real = roots[i].real && s->real;
+    }
+    s->count += count;
+    return 1;
+}
+
+/* ---- all factors ---- */
+
+/* f: the roots of multiplicity exactly k, once each.  Quotients are integral when what divides is primitive
+ * (Gauss). */
+static int make_factor(algsurf_memory *m, const algsurf_zpoly *share, int count, int k, algsurf_zpoly *f) {
+    int divides;
+    algsurf_zpoly higher;
+    if (!algsurf_zpoly_primitive(m, share + k - 1, f)) return 0;
+    if (k == count) return 1;
+    if (!algsurf_zpoly_primitive(m, share + k, &higher)) return 0;
+    return algsurf_zpoly_divide(m, f, &higher, &divides, f) && divides;
+}
+
+/* Each share of the roots of p by itself, if there are multiple ones, or h is given. */
+static int solve_shares(algsurf_i_factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always,
+                        int *done) {
+    int highest;
+    algsurf_memory_mark mark = algsurf_memory_here(s->m);
+    algsurf_zpoly *share = algsurf_i_take(s->m, (size_t)(p->degree + 1) * sizeof *share), f;
+    if (!share || !algsurf_zpoly_multiplicities(s->m, p, share, &highest)) return 0;
+    for (int k = 1; k <= highest && (always || highest > 1) && *done; k++) {
+        algsurf_memory_mark before = algsurf_memory_here(s->m);
+        if (share[k - 1].degree == (k < highest ? share[k].degree : 0)) continue;
+        if (!make_factor(s->m, share, highest, k, &f) || !solve_factor(s, &f, k, h, done)) return 0;
+        algsurf_memory_release(s->m, before);
+    }
+    algsurf_memory_release(s->m, mark);
+    return 1;
+}
+
+/* N = u^2 + v^2. */
+static int make_norm(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v, algsurf_zpoly *N) {
+    const algsurf_zpoly *part[2] = {u, v};
+    int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
+    if (!algsurf_zpoly_new(m, 2 * n, 2 * w + 1, N)) return 0;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k <= part[i]->degree; k++) {
+            algsurf_limb *room = algsurf_memory_take(m, (size_t)part[i]->width);
+            if (!room) return 0;
+            algsurf_z_factor f = algsurf_z_factor_of(algsurf_zpoly_at(part[i], k), part[i]->width, room);
+            for (int j = 0; j <= part[i]->degree; j++)
+                algsurf_z_add_times(algsurf_zpoly_at(N, j + k), N->width, algsurf_zpoly_at(part[i], j),
+                                    part[i]->width, &f, 0);
+        }
+    return 1;
+}
+
+/* h = u + iv, of one degree and width. */
+static int make_cofactor(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
+                         algsurf_i_integers *h) {
+    const algsurf_zpoly *part[2] = {u, v};
+    int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
+    *h = (algsurf_i_integers){.bits = NULL};
+    if (!algsurf_zpoly_new(m, n, w, &h->p.re) || !algsurf_zpoly_new(m, n, w, &h->p.im)) return 0;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k <= part[i]->degree; k++)
+            algsurf_z_copy(algsurf_zpoly_at(i ? &h->p.im : &h->p.re, k), w, algsurf_zpoly_at(part[i], k),
+                           part[i]->width);
+    return algsurf_i_make_heads(m, h);
+}
+
+int algsurf_i_solve_factors(algsurf_i_factors *s, const algsurf_i_gaussian *p) {
+    int squarefree, done = 1;
+    algsurf_parts parts;
+    algsurf_zpoly N;
+    algsurf_i_integers h;
+    s->real = !p->im.c;
+    if (s->real) return solve_shares(s, &p->re, NULL, 0, &done);
+    if (!is_squarefree(s->m, p, &squarefree)) return 0;
+    if (squarefree) return 1;
+    algsurf_memory_mark mark = algsurf_memory_here(s->m);
+    parts = (algsurf_parts){.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
+    if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(s->m, &p->re, &p->im, &parts))
+        return 0;
+    if (parts.g.degree > 0 && !solve_shares(s, &parts.g, NULL, 1, &done)) return 0;
+    if (!make_cofactor(s->m, &parts.u, &parts.v, &h) || !make_norm(s->m, &parts.u, &parts.v, &N)) return 0;
+    if (N.degree > 0 && !solve_shares(s, &N, &h, 1, &done)) return 0;
+    if (!done) s->count = 0;
+    algsurf_memory_release(s->m, mark);
+    return 1;
+}

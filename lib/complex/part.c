@@ -1,0 +1,259 @@
+/* part.c - brings points to the roots of a polynomial, and roots apart: nothing here has to be proved.
+ *
+ * Step.  r_i ~ z_i - W_i / (1 + sum_{j != i} W_j / (z_i - z_j)): Ehrlich's and Aberth's step (1967, 1973),
+ * since p' is known from the W by Lagrange's formula (Boersch-Supan 1970).  It triples the digits that are
+ * right.
+ *
+ * Clusters.  Towards m roots close together this goes on by some bits a sweep only.  Taylor's coefficients
+ * about their middle, where that of y^(m-1) is 0, tell how far apart they are (Newton's polygon), however
+ * small that is beside the way to all others.  The middle is a simple root of the derivative p^(m-1): each
+ * Newton step doubles its digits. */
+#include "../base/arithmetic.h"
+#include <string.h>
+
+#include "../base/elementary.h"
+#include "discs.h"
+
+#define NARROW_PART 56 /* bits by which blur is below each part of a root, */
+#define NARROW 72      /* or below the larger one */
+#define LEAST_BITS 64  /* of a point */
+#define PATIENCE 6     /* sweeps after which a group is taken for a cluster */
+#define MIDDLE_STEPS 40
+#define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
+#define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
+
+static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
+
+static algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_join(a, b, 1); }
+
+static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
+
+static algsurf_scaled size_of(algsurf_scaled a) { return algsurf_i_scaled_size(a); }
+
+static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
+
+static algsurf_scaled negative(algsurf_scaled a) { return (algsurf_scaled){-a.re, -a.im, a.exponent}; }
+
+static algsurf_scaled larger(algsurf_scaled a, algsurf_scaled b) { return less(a, b) ? b : a; }
+
+static int is_zero(algsurf_scaled a) { return algsurf_i_scaled_is_zero(a); }
+
+static algsurf_scaled part(double x, int64_t exponent) { return algsurf_i_scaled_of(fabs(x), 0, exponent); }
+
+static int difference(const algsurf_i_discs *d, int i, int j, algsurf_scaled *result) {
+    return algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, result);
+}
+
+/* Lower points that are nearly the conjugates of upper ones become so. */
+static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
+    for (int j = 0; j < n; j++) {
+        paired[j] = z[j];
+        algsurf_scaled least = part(z[j].im, z[j].exponent - 26);
+        for (int i = 0; i < n && z[j].im < 0; i++) {
+            algsurf_scaled mate = {z[i].re, -z[i].im, z[i].exponent};
+            if (z[i].im > 0 && less(size_of(algsurf_i_scaled_join(z[j], mate, -1)), least)) paired[j] = mate;
+        }
+    }
+}
+
+int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
+                          const algsurf_scaled *z) {
+    static algsurf_limb none;
+    const algsurf_i_point origin = {.x = &none, .y = &none, .w = 1, .head = algsurf_i_scaled_none()};
+    const size_t bytes = (size_t)p->re.degree * sizeof *d->root;
+    *d = (algsurf_i_discs){.p = p, .m = m, .n = p->re.degree};
+    d->root = algsurf_i_take(m, bytes);
+    algsurf_scaled *paired = algsurf_i_take(m, (size_t)d->n * sizeof *paired);
+    if (!d->root || !paired) return 0;
+    memset(d->root, 0, bytes);
+    if (p->real) pair(z, d->n, paired), z = paired;
+    for (int i = 0; i < d->n; i++) {
+        d->root[i].width = 2;
+        if (!algsurf_i_set_point(m, &d->root[i].z, &origin, z[i], z[i].exponent - 60, 0)) return 0;
+    }
+    return 1;
+}
+
+/* ---- steps ---- */
+
+static int is_alone(const algsurf_i_discs *d, int i) { return d->root[d->root[i].group].members == 1; }
+
+/* Whether the box about z - step is as narrow as is asked. */
+static int is_narrow(const algsurf_i_discs *d, int i) {
+    const algsurf_i_disc *root = d->root + i;
+    algsurf_scaled at = algsurf_i_scaled_join(root->z.head, root->step, -1), blur = root->blur;
+    algsurf_scaled x = part(at.re, at.exponent), y = part(at.im, at.exponent), most = larger(x, y);
+    if (is_zero(blur) || (root->stuck && !less(blur, ALGSURF_I_ENDLESS))) return 1;
+    blur.exponent += NARROW;
+    if (!less(most, blur)) return 1;
+    blur.exponent += NARROW_PART - NARROW;
+    int on_axis = d->p->real && !less(root->disc, y);
+    return !less(x, blur) && (on_axis || !less(y, blur));
+}
+
+/* Moves point i, the digits that are right tripled. */
+static int move(algsurf_i_discs *d, int i, algsurf_scaled step) {
+    algsurf_i_disc *root = d->root + i;
+    algsurf_scaled head = root->z.head;
+    int64_t top = head.exponent > step.exponent ? head.exponent : step.exponent,
+            bits = 3 * (top - step.exponent) + 20;
+    int on_axis = d->p->real && is_alone(d, i) && !less(root->disc, root->z.above);
+    d->moved++;
+    root->known = 0;
+    return algsurf_i_set_point(d->m, &root->z, &root->z, negative(step),
+                               top - (bits < LEAST_BITS ? LEAST_BITS : bits), on_axis);
+}
+
+/* The step of point i; from another point, or where there is none, a little away, each in its own direction.
+ */
+static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
+    const algsurf_i_disc *root = d->root + i;
+    algsurf_scaled total = algsurf_i_scaled_of(1, 0, 0), a, size = root->z.head;
+    if (is_zero(size)) size = algsurf_i_scaled_of(1, 0, -64);
+    double way[2];
+    algsurf_i_circle(TURN * i + 0.7, way);
+    *step = algsurf_i_scaled_of(way[0], way[1], size.exponent - 10);
+    if (!less(root->disc, ALGSURF_I_ENDLESS)) return 1;
+    for (int j = 0; j < d->n; j++) {
+        if (j == i) continue;
+        if (!difference(d, i, j, &a)) return 0;
+        if (!is_zero(a)) total = sum(total, over(d->root[j].step, a));
+    }
+    if (total.exponent < -10) return 1;
+    *step = over(root->step, total);
+    if (step->exponent > size.exponent + 1) step->exponent = size.exponent + 1;
+    return 1;
+}
+
+/* ---- clusters ---- */
+
+/* The mean of a group, in *middle; how far its members are apart at most, and from all others at least. */
+static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_scaled *wide,
+                   algsurf_scaled *away) {
+    algsurf_scaled mean = algsurf_i_scaled_none(), a;
+    *wide = algsurf_i_scaled_none(), *away = ALGSURF_I_ENDLESS;
+    for (int i = 0; i < d->n; i++) {
+        if (!difference(d, i, g, &a)) return 0;
+        algsurf_scaled size = size_of(a);
+        if (d->root[i].group == g)
+            mean = sum(mean, a), *wide = larger(*wide, size);
+        else if (less(size, *away))
+            *away = size;
+    }
+    const algsurf_i_point *z = &d->root[g].z;
+    int on_axis = d->p->real && !less(*wide, z->above);
+    return algsurf_i_set_point(d->m, middle, z, by(mean, 1.0 / d->root[g].members),
+                               wide->exponent - LEAST_BITS, on_axis);
+}
+
+/* Taylor's coefficients about z in q, their errors in lost; that of 1 known well, or lost in the radii. */
+static int clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int m, int *w, algsurf_scaled *q,
+                        algsurf_scaled *lost, algsurf_scaled *spread) {
+    algsurf_i_spread(d->p, z, m, spread);
+    for (;; *w += *w / 2 + 1) {
+        if (!algsurf_i_taylor(d->m, d->p, z, m, *w, q, lost)) return 0;
+        algsurf_scaled first = by(lost[0], CLEAR);
+        if (!less(size_of(q[0]), first) || less(first, spread[0])) return 1;
+    }
+}
+
+/* Puts the m points of a group where the polygon about its middle says, if they are not about there already.
+ */
+static int place(algsurf_i_discs *d, int g) {
+    const int m = d->root[g].members;
+    int w = d->root[g].width;
+    algsurf_i_point middle = {.room = 0};
+    algsurf_scaled wide, away;
+    algsurf_scaled *q = algsurf_i_take(d->m, 4 * (size_t)(m + 1) * sizeof *q);
+    if (!q || !mean_of(d, g, &middle, &wide, &away)) return 0;
+    if (!less(by(wide, 16), away)) return 1;
+    algsurf_scaled *lost = q + m + 1, *spread = lost + m + 1, *z = spread + m + 1;
+    for (int k = 0; k < MIDDLE_STEPS; k++) {
+        if (!clear_taylor(d, &middle, m, &w, q, lost, spread)) return 0;
+        algsurf_scaled shift = over(q[m - 1], by(q[m], m));
+        int64_t reach = (sum(size_of(q[0]), spread[0]).exponent - q[m].exponent) / m;
+        if (is_zero(shift) || shift.exponent < reach - 4) break;
+        int64_t gain =
+            (less(away, ALGSURF_I_ENDLESS) ? away.exponent : middle.head.exponent) - shift.exponent;
+        int64_t low = shift.exponent - LEAST_BITS - (gain > 0 ? gain : 0);
+        if (!algsurf_i_set_point(d->m, &middle, &middle, negative(shift), low,
+                                 middle.above.re == 0 && d->p->real))
+            return 0;
+    }
+    for (int j = 0; j <= m; j++) q[j] = sum(size_of(q[j]), j < m ? spread[j] : algsurf_i_scaled_none());
+    if (is_zero(q[0])) return 1;
+    int fit;
+    if (!algsurf_i_start(d->m, q, m, z, &fit)) return 0;
+    if (!d->p->radius && !less(by(size_of(z[m - 1]), 4), wide)) return 1;
+    for (int i = 0; i < d->n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        if (root->group != g) continue;
+        root->width = w, root->known = 0, root->done = 1, root->placed = d->p->radius != NULL;
+        if (!algsurf_i_set_point(d->m, &root->z, &middle, *z, z->exponent - LEAST_BITS, 0)) return 0;
+        z++;
+    }
+    return 1;
+}
+
+/* ---- sweeps ---- */
+
+/* Which roots need a step: those alone that are not narrow, those in a group whose discs are about its
+ * largest.  How many these are. */
+static int count_open(algsurf_i_discs *d) {
+    int open = 0;
+    for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+    for (int i = 0; i < d->n; i++) {
+        algsurf_scaled *most = &d->root[d->root[i].group].next;
+        *most = larger(*most, d->root[i].disc);
+    }
+    for (int i = 0; i < d->n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        algsurf_scaled disc = root->disc;
+        disc.exponent += 10;
+        root->done = is_alone(d, i) ? (unsigned char)is_narrow(d, i)
+                                    : root->placed || root->stuck || less(disc, d->root[root->group].next);
+        open += !root->done;
+    }
+    return open;
+}
+
+/* A group whose discs are as they were for some sweeps, or whose values are all lost in the radii. */
+static int is_cluster(algsurf_i_discs *d, int g) {
+    algsurf_i_disc *first = d->root + g;
+    first->age = first->members > 1 && first->members == first->before ? first->age + 1 : 0;
+    first->before = first->members;
+    if (first->members < 2 || first->placed) return 0;
+    int stuck = 1;
+    for (int i = g; i < d->n; i++) stuck = stuck && (d->root[i].group != g || d->root[i].stuck);
+    if (first->age < PATIENCE && !stuck) return 0;
+    first->age = -2 * PATIENCE;
+    return 1;
+}
+
+/* Whether root i is at the conjugate of one that has moved, both clear of the axis: it stays there. */
+static int follows_mate(const algsurf_i_discs *d, int i) {
+    const algsurf_i_disc *root = d->root + i;
+    return root->mate >= 0 && root->mate < i && !d->root[root->mate].known && less(root->disc, root->z.above);
+}
+
+int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
+    for (int k = 0;; k++) {
+        if (!algsurf_i_discs_prove(d)) return 0;
+        *open = count_open(d);
+        int placed = d->moved;
+        for (int g = 0; g < d->n; g++)
+            if (is_cluster(d, g) && !place(d, g)) return 0;
+        for (int i = 0; i < d->n; i++) placed += !d->root[i].known;
+        if ((*open == 0 && placed == d->moved) || k == most) return 1;
+        for (int i = 0; i < d->n; i++)
+            if (!d->root[i].done && !step_of(d, i, &d->root[i].next)) return 0;
+        for (int i = 0; i < d->n; i++) {
+            algsurf_i_disc *root = d->root + i;
+            if (root->done || is_zero(root->next)) continue;
+            if (!(follows_mate(d, i) ? algsurf_i_set_conjugate(d->m, &root->z, &d->root[root->mate].z)
+                                     : move(d, i, root->next)))
+                return 0;
+            root->known = 0;
+        }
+    }
+}

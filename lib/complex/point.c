@@ -1,0 +1,123 @@
+/* point.c - points of the complex plane as integers, and their differences.
+ *
+ * A difference of heads is used where it is at least 2^-26 of the larger head: each part is then off by at
+ * most 2 * 2^-52 * 2^26 and a rounding.  Else the points are subtracted exactly. */
+#include "../base/arithmetic.h"
+#include <string.h>
+
+#include "discs.h"
+
+#define MOST_BITS ((int64_t)1 << 26) /* of a point: more is no memory */
+
+/* Room for `limbs` in each part of a point, what is in it lost. */
+static int make_room(algsurf_memory *m, algsurf_i_point *z, int limbs) {
+    int room = limbs + limbs / 2 + 1;
+    algsurf_limb *x = algsurf_memory_take(m, 2 * (size_t)room);
+    if (!x) return 0;
+    z->x = x, z->y = x + room, z->room = room;
+    return 1;
+}
+
+/* Cuts zeros at the end, and limbs too many. */
+static void trim(algsurf_i_point *z) {
+    int a = algsurf_z_trailing(z->x, z->w), b = algsurf_z_trailing(z->y, z->w), zeros = a < b ? a : b;
+    if (zeros == ALGSURF_Z_NO_BIT) zeros = 0, z->exponent = 0;
+    algsurf_z_shift_down(z->x, z->w, zeros);
+    algsurf_z_shift_down(z->y, z->w, zeros);
+    z->exponent += zeros;
+    a = algsurf_z_bits(z->x, z->w), b = algsurf_z_bits(z->y, z->w);
+    z->w = algsurf_z_width(a > b ? a : b);
+}
+
+/* r += x 2^shift, |x| < 4, rounded down. */
+static void add_scaled(algsurf_limb *r, int w, double x, int64_t shift) {
+    algsurf_limb m = (algsurf_limb)(int64_t)(x * 0x1p60);
+    algsurf_i_add_shifted(r, w, &m, 1, shift - 60);
+}
+
+/* z = next, in its own memory if that suffices. */
+static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z, algsurf_i_point *next) {
+    trim(next);
+    next->head = algsurf_i_head(next->x, next->y, next->w, next->exponent);
+    next->above = algsurf_i_head(next->y, next->y, next->w, next->exponent);
+    next->above = algsurf_i_scaled_of(fabs(next->above.re), 0, next->above.exponent);
+    if (z->room >= next->w) {
+        memcpy(z->x, next->x, (size_t)next->w * sizeof *z->x);
+        memcpy(z->y, next->y, (size_t)next->w * sizeof *z->y);
+        next->x = z->x, next->y = z->y, next->room = z->room;
+        algsurf_memory_release(m, mark);
+    }
+    *z = *next;
+}
+
+int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from,
+                        algsurf_scaled way, int64_t low, int on_axis) {
+    int64_t top = (from->head.exponent > way.exponent ? from->head.exponent : way.exponent) + 2;
+    if (top - low > MOST_BITS) return 0;
+    int w = top > low ? algsurf_z_width((int)(top - low) + 2) : 1;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    algsurf_i_point next = {.w = w, .exponent = low};
+    if (!make_room(m, &next, w)) return 0;
+    algsurf_z_zero(next.x, w);
+    algsurf_z_zero(next.y, w);
+    algsurf_i_add_shifted(next.x, w, from->x, from->w, from->exponent - low);
+    add_scaled(next.x, w, way.re, way.exponent - low);
+    if (!on_axis) {
+        algsurf_i_add_shifted(next.y, w, from->y, from->w, from->exponent - low);
+        add_scaled(next.y, w, way.im, way.exponent - low);
+    }
+    keep(m, mark, z, &next);
+    return 1;
+}
+
+int algsurf_i_set_conjugate(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from) {
+    int w = from->w + 1;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    algsurf_i_point next = {.w = w, .exponent = from->exponent};
+    if (!make_room(m, &next, w)) return 0;
+    algsurf_z_copy(next.x, w, from->x, from->w);
+    algsurf_z_copy(next.y, w, from->y, from->w);
+    algsurf_z_negate(next.y, w);
+    keep(m, mark, z, &next);
+    return 1;
+}
+
+int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b) {
+    if (a->head.re != b->head.re || a->head.im != -b->head.im || a->exponent != b->exponent || a->w != b->w)
+        return 0;
+    algsurf_limb carry = 1;
+    for (int i = 0; i < a->w; i++) { /* y_a = ~y_b + 1 */
+        algsurf_limb minus = ~b->y[i] + carry;
+        carry = carry && minus == 0;
+        if (a->x[i] != b->x[i] || a->y[i] != minus) return 0;
+    }
+    return 1;
+}
+
+static int exact_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                            algsurf_scaled *result) {
+    int64_t low = a->exponent < b->exponent ? a->exponent : b->exponent;
+    int64_t up = (a->exponent > b->exponent ? a->exponent : b->exponent) - low;
+    if (up > MOST_BITS) return 0;
+    int w = (a->w > b->w ? a->w : b->w) + (int)(up / 64) + 2;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    algsurf_limb *x = algsurf_memory_take(m, 2 * (size_t)w), *y = x + w;
+    if (!x) return 0;
+    algsurf_z_zero(x, 2 * w);
+    algsurf_i_add_shifted(x, w, b->x, b->w, b->exponent - low);
+    algsurf_i_add_shifted(y, w, b->y, b->w, b->exponent - low);
+    algsurf_z_negate(x, w);
+    algsurf_z_negate(y, w);
+    algsurf_i_add_shifted(x, w, a->x, a->w, a->exponent - low);
+    algsurf_i_add_shifted(y, w, a->y, a->w, a->exponent - low);
+    *result = algsurf_i_head(x, y, w, low);
+    algsurf_memory_release(m, mark);
+    return 1;
+}
+
+int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                         algsurf_scaled *result) {
+    int64_t larger = a->head.exponent > b->head.exponent ? a->head.exponent : b->head.exponent;
+    *result = algsurf_i_scaled_join(a->head, b->head, -1);
+    return result->exponent >= larger - 25 || exact_difference(m, a, b, result);
+}

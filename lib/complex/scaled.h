@@ -1,0 +1,83 @@
+/* scaled.h - complex numbers in double precision, each with an exponent of its own.
+ *
+ * A number is (re + i im) 2^exponent; the larger part is in [1, 2), so that no product over- or underflows. A
+ * product is off by sqrt(5) u of itself (Brent, Percival, Zimmermann 2007), a quotient by 8 u.  A size is
+ * such a number with re >= 0 and im = 0. */
+#ifndef ALGSURF_COMPLEX_SCALED_H
+#define ALGSURF_COMPLEX_SCALED_H
+#include <stdint.h>
+#include <string.h>
+
+#include "../base/eft.h"
+
+typedef struct algsurf_scaled {
+    double re, im;
+    int64_t exponent; /* of 0: ALGSURF_SCALED_NONE */
+} algsurf_scaled;
+
+#define ALGSURF_SCALED_NONE                                                                                  \
+    (-((int64_t)1 << 48)) /* below all others: no sum or difference of exponents leaves 64 bits */
+
+/* 2^k for |k| <= 1022. */
+static inline double algsurf_i_power_of_two(int64_t k) {
+    uint64_t image = (uint64_t)(k + 1023) << 52;
+    double x;
+    memcpy(&x, &image, sizeof x);
+    return x;
+}
+
+/* x, y: 0 or normal, with magnitudes between 2^-1000 and 2^1000. */
+static inline algsurf_scaled algsurf_i_scaled_of(double x, double y, int64_t exponent) {
+    double size = x < 0 ? -x : x, other = y < 0 ? -y : y;
+    uint64_t image;
+    if (other > size) size = other;
+    if (size == 0) return (algsurf_scaled){0, 0, ALGSURF_SCALED_NONE};
+    memcpy(&image, &size, sizeof image);
+    int64_t k = (int64_t)(image >> 52) - 1023;
+    double unit = algsurf_i_power_of_two(-k);
+    return (algsurf_scaled){x * unit, y * unit, exponent + k};
+}
+
+static inline algsurf_scaled algsurf_i_scaled_none(void) {
+    return (algsurf_scaled){0, 0, ALGSURF_SCALED_NONE};
+}
+
+static inline int algsurf_i_scaled_is_zero(algsurf_scaled a) { return a.re == 0 && a.im == 0; }
+
+static inline algsurf_scaled algsurf_i_scaled_times(algsurf_scaled a, algsurf_scaled b) {
+    return algsurf_i_scaled_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re, a.exponent + b.exponent);
+}
+
+/* A factor within 2^+-900. */
+static inline algsurf_scaled algsurf_i_scaled_by(algsurf_scaled a, double factor) {
+    return algsurf_i_scaled_of(a.re * factor, a.im * factor, a.exponent);
+}
+
+/* b is not 0. */
+static inline algsurf_scaled algsurf_i_scaled_over(algsurf_scaled a, algsurf_scaled b) {
+    double square = b.re * b.re + b.im * b.im;
+    return algsurf_i_scaled_of((a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square,
+                               a.exponent - b.exponent);
+}
+
+/* a + sign b, rounded: off by u of the larger one in each part. */
+static inline algsurf_scaled algsurf_i_scaled_join(algsurf_scaled a, algsurf_scaled b, double sign) {
+    if (b.exponent > a.exponent) {
+        double unit = b.exponent - a.exponent < 900 ? algsurf_i_power_of_two(a.exponent - b.exponent) : 0;
+        return algsurf_i_scaled_of(a.re * unit + sign * b.re, a.im * unit + sign * b.im, b.exponent);
+    }
+    double unit = a.exponent - b.exponent < 900 ? sign * algsurf_i_power_of_two(b.exponent - a.exponent) : 0;
+    return algsurf_i_scaled_of(a.re + unit * b.re, a.im + unit * b.im, a.exponent);
+}
+
+/* |a|, up to 3 u of it. */
+static inline algsurf_scaled algsurf_i_scaled_size(algsurf_scaled a) {
+    return algsurf_i_scaled_of(sqrt(a.re * a.re + a.im * a.im), 0, a.exponent);
+}
+
+/* Sizes: a < b. */
+static inline int algsurf_i_scaled_less(algsurf_scaled a, algsurf_scaled b) {
+    return a.exponent != b.exponent ? a.exponent < b.exponent : a.re < b.re;
+}
+
+#endif

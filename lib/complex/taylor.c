@@ -1,0 +1,129 @@
+/* taylor.c - p(z) by Horner's rule on integers that are cut to w limbs.
+ *
+ * The sum so far is (r + i s) 2^e.  A step multiplies by z, exactly, and adds a coefficient; where the result
+ * has more than w limbs its exponent rises and what is below is cut: less than 1 from each of two terms in
+ * each part, less than 3 units of 2^e together.  What was lost before is multiplied by |z|.  The bound is a
+ * sum of products of sizes, each off by less than 8 u, n of them one after the other: 2^-40 in |z| covers
+ * that. */
+#include "../base/arithmetic.h"
+#include "discs.h"
+
+/* 64 bits of a from bit `from` on, which may be negative. */
+static algsurf_limb limb_at(const algsurf_limb *a, int w, int64_t from) {
+    if (from >= 64 * (int64_t)w) return 0 - (a[w - 1] >> 63);
+    if (from >= 0) return algsurf_z_window(a, w, (int)from);
+    return from > -64 ? a[0] << -from : 0;
+}
+
+void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift) {
+    unsigned char carry = 0;
+    for (int i = 0; i < w; i++)
+        r[i] = algsurf_limb_add(r[i], limb_at(a, wa, 64 * (int64_t)i - shift), &carry);
+}
+
+static int bits_of(const algsurf_limb *x, const algsurf_limb *y, int w) {
+    int a = algsurf_z_bits(x, w), b = algsurf_z_bits(y, w);
+    return a > b ? a : b;
+}
+
+algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent) {
+    int bits = bits_of(x, y, w) + 1;
+    return algsurf_i_scaled_of((double)(int64_t)limb_at(x, w, bits - 63),
+                               (double)(int64_t)limb_at(y, w, bits - 63), exponent + bits - 63);
+}
+
+/* (re + i im) 2^exponent, off by at most `lost`: a coefficient, or a sum. */
+typedef struct term {
+    const algsurf_limb *re, *im; /* im null: real */
+    int w, bits;                 /* -1: 0 */
+    int64_t exponent;
+    algsurf_scaled lost;
+} term;
+
+/* A sum of Horner's rule in w limbs, and its product with z, in `wide` ones. */
+typedef struct accumulator {
+    algsurf_limb *re, *im, *product_re, *product_im;
+    int w, wide, bits; /* of the sum; -1: 0 */
+    int64_t exponent;
+    algsurf_scaled lost;
+} accumulator;
+
+static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
+    if (algsurf_z_sign(x, w) == 0 && algsurf_z_sign(y, w) == 0) return -1;
+    return bits_of(x, y, w);
+}
+
+/* sum = sum z + t. */
+static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_factor *y, int64_t exponent,
+                 algsurf_scaled far, term t) {
+    int64_t top = INT64_MIN, low = INT64_MAX;
+    int bits = -1;
+    if (a->bits >= 0) {
+        algsurf_z_zero(a->product_re, a->wide);
+        algsurf_z_zero(a->product_im, a->wide);
+        algsurf_z_add_times(a->product_re, a->wide, a->re, a->w, x, 0);
+        algsurf_z_add_times(a->product_im, a->wide, a->re, a->w, y, 0);
+        if (algsurf_z_sign(a->im, a->w) != 0) {
+            algsurf_z_add_times(a->product_re, a->wide, a->im, a->w, y, 1);
+            algsurf_z_add_times(a->product_im, a->wide, a->im, a->w, x, 0);
+        }
+        bits = bits_or_none(a->product_re, a->product_im, a->wide);
+    }
+    exponent += a->exponent;
+    if (bits >= 0) top = exponent + bits, low = exponent;
+    if (t.bits >= 0) {
+        top = top > t.exponent + t.bits ? top : t.exponent + t.bits;
+        low = low < t.exponent ? low : t.exponent;
+    }
+    if (!algsurf_i_scaled_is_zero(a->lost)) a->lost = algsurf_i_scaled_times(a->lost, far);
+    if (!algsurf_i_scaled_is_zero(t.lost)) a->lost = algsurf_i_scaled_join(a->lost, t.lost, 1);
+    algsurf_z_zero(a->re, a->w);
+    algsurf_z_zero(a->im, a->w);
+    a->bits = -1;
+    if (low == INT64_MAX) return;
+    int64_t e = top + 2 - 64 * (int64_t)a->w;
+    a->exponent = e = e < low ? low : e;
+    if (bits >= 0) {
+        algsurf_i_add_shifted(a->re, a->w, a->product_re, a->wide, exponent - e);
+        algsurf_i_add_shifted(a->im, a->w, a->product_im, a->wide, exponent - e);
+    }
+    if (t.bits >= 0) {
+        algsurf_i_add_shifted(a->re, a->w, t.re, t.w, t.exponent - e);
+        if (t.im) algsurf_i_add_shifted(a->im, a->w, t.im, t.w, t.exponent - e);
+    }
+    a->bits = bits_or_none(a->re, a->im, a->w);
+    if (e > low) a->lost = algsurf_i_scaled_join(a->lost, algsurf_i_scaled_of(3, 0, e), 1);
+}
+
+int algsurf_i_taylor(algsurf_memory *m, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                     int w, algsurf_scaled *value, algsurf_scaled *lost) {
+    const int wide = w + z->w;
+    const size_t each = 2 * (size_t)w + 2 * (size_t)wide;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    accumulator *a = algsurf_i_take(m, (size_t)(last + 1) * sizeof *a);
+    algsurf_limb *room = algsurf_memory_take(m, (size_t)(last + 1) * each + 2 * (size_t)z->w);
+    if (!a || !room) return 0;
+    algsurf_z_factor x = algsurf_z_factor_of(z->x, z->w, room),
+                     y = algsurf_z_factor_of(z->y, z->w, room + z->w);
+    algsurf_scaled far = algsurf_i_scaled_size(z->head);
+    far.re *= 1 + 0x1p-40;
+    room += 2 * z->w;
+    for (int j = 0; j <= last; j++, room += each)
+        a[j] = (accumulator){room, room + w, room + 2 * w,           room + 2 * w + wide, w, wide,
+                             -1,   0,        algsurf_i_scaled_none()};
+    for (int k = p->re.degree; k >= 0; k--) {
+        for (int j = last; j > 0; j--) {
+            const accumulator *b = a + j - 1;
+            step(a + j, &x, &y, z->exponent, far, (term){b->re, b->im, w, b->bits, b->exponent, b->lost});
+        }
+        step(a, &x, &y, z->exponent, far,
+             (term){algsurf_zpoly_at(&p->re, k), p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL, p->re.width,
+                    p->bits[k], 0, algsurf_i_scaled_none()});
+    }
+    for (int j = 0; j <= last; j++) {
+        value[j] = algsurf_i_head(a[j].re, a[j].im, w, a[j].exponent);
+        lost[j] = a[j].lost;
+    }
+    algsurf_memory_release(m, mark);
+    return 1;
+}
