@@ -142,11 +142,21 @@ static void make_legendre(int n, double *c) {
     memcpy(c, now, (size_t)(n + 1) * sizeof *c);
 }
 
-/* "random40": coefficients in [-1,1]; "power24": t^24 - a; "legendre20"; else those along the rays of a
- * surface.  Returns the degree. */
+/* 1 + t^(n-2) (t + 20000)^2, which is nearly 0 at -20000 and nowhere 0. */
+static void make_kameny(int n, double *c) {
+    memset(c, 0, (size_t)(n + 1) * sizeof *c);
+    c[0] = c[n] = 1, c[n - 1] = 40000, c[n - 2] = 400000000;
+}
+
+/* "random40": coefficients in [-1,1]; "power24": t^24 - a; "legendre20"; "kameny24"; else those along the
+ * rays of a surface.  Returns the degree. */
 static int make_polynomials(const char *name, double *c) {
-    const int power = number_of(name, "power"), legendre = number_of(name, "legendre");
-    const int n = power > 0 ? power : legendre > 0 ? legendre : number_of(name, "random");
+    const int power = number_of(name, "power"), legendre = number_of(name, "legendre"),
+              kameny = number_of(name, "kameny");
+    const int n = power > 0      ? power
+                  : legendre > 0 ? legendre
+                  : kameny > 2   ? kameny
+                                 : number_of(name, "random");
     measure_random random = {1};
     if (n < 0) {
         const catalogue_entry *entry = entry_of(name);
@@ -155,7 +165,8 @@ static int make_polynomials(const char *name, double *c) {
     }
     for (int i = 0; i < POLYNOMIALS; i++, c += n + 1) {
         if (legendre > 0) make_legendre(n, c);
-        for (int k = 0; k <= n && legendre < 0; k++)
+        if (kameny > 0) make_kameny(n, c);
+        for (int k = 0; k <= n && legendre < 0 && kameny < 0; k++)
             c[k] = power < 0 ? measure_uniform(&random, -1, 1)
                    : k == n  ? 1
                    : k       ? 0

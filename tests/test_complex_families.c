@@ -8,6 +8,8 @@
  *
  * Breaks tried, each caught: the error of a cut value not counted; a disc without its factor n; a box that is
  * the disc's about z - W; the wrong one of two conjugates taken for a root of p. */
+#include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
+
 #include <gmp.h>
 
 #include "algsurf/algsurf.h"

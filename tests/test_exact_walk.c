@@ -270,6 +270,27 @@ TEST(test_gaps) {
     known_free(k);
 }
 
+/* Gaps in higher degrees, which discs about all roots part: simple roots and multiple ones, intervals that
+ * end among them, the root 0. */
+TEST(test_gaps_of_many) {
+    uint64_t seed = SEED + 9;
+    known *k = known_new();
+    int found = 0;
+    for (int i = 0; i < 24; i++) {
+        int multiplicity = 1 + (i % 4 == 3);
+        known_clear(k);
+        add_gap(&seed, k, 50 + exact_random_int(&seed, 250));
+        if (i % 2) add_gap(&seed, k, 50 + exact_random_int(&seed, 100));
+        while (k->p->n < 34 * multiplicity) add_some(&seed, k, multiplicity);
+        if (i % 5 == 0) mpq_set_ui(k->x, 0, 1), known_add(k, k->x, multiplicity);
+        double hi = i % 3 || !k->count ? 1.5 : mpq_get_d(k->root[k->count / 2]->base);
+        found +=
+            i % 2 ? judge(k, -4, fmin(-1, hi), hi, "gaps of many", i) : judge_line(k, 0, "gaps of many", i);
+    }
+    assert_true(found > 300);
+    known_free(k);
+}
+
 /* Clusters: several roots within 2^-bits, simple ones or with multiplicities. */
 TEST(test_clusters) {
     uint64_t seed = SEED + 2;

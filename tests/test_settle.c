@@ -3,7 +3,6 @@
  *
  * Catches: a pair that does not enclose, lanes that answer for others, a bound of compensated values that is
  * too small or never felt, neighbours across a power of two or below 0. */
-#include <gmp.h>
 
 #include "exact.h"
 #include "roots/polys.h"

@@ -34,20 +34,21 @@ typedef struct algsurf_complex_root {
  *   roots   room for `degree` entries; at least 1
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * If the lowest coefficients are exactly 0, the root 0 is exact.  Coefficients without radii (null, or all 0): each
- * different root has a box of its own, at most two units in the last place wide in each part, counted in those of the
- * larger part, with its exact multiplicity; real roots of real polynomials are proved real, the others are in
- * exactly conjugate boxes.  A box holds several different roots only where no doubles tell them apart.  With
- * radii, roots that these do not part share a box.  Entries are in increasing order of root.re, then of root.im.
+ * If the lowest coefficients are exactly 0, the root 0 is exact.  Coefficients without radii (null, or all
+ * 0): each different root has a box of its own, at most two units in the last place wide in each part,
+ * counted in those of the larger part, with its exact multiplicity; real roots of real polynomials are proved
+ * real, the others are in exactly conjugate boxes.  A box holds several different roots only where no doubles
+ * tell them apart.  With radii, roots that these do not part share a box.  Entries are in increasing order of
+ * root.re, then of root.im.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
  * E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
- * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart; else integers
- * of as many bits as it takes: Wilkinson's polynomial of degree 20 0.2 milliseconds, Chebyshev's of degree 160 0.2
- * seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).
- * Memory: some KiB for each degree and root, 1 GiB at most, where 15 KiB of the stack do not suffice.  All is freed.
- * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs), Yun 1976
- * (multiplicities).  64 KiB of stack.
- * Since 1.0. */
+ * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
+ * else integers of as many bits as it takes: Wilkinson's polynomial of degree 20 0.2 milliseconds,
+ * Chebyshev's of degree 160 0.2 seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).
+ * Memory: some KiB for each degree and root, 1 GiB at most, where 15 KiB of the stack do not suffice.  All is
+ * freed.
+ * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs), Yun
+ * 1976 (multiplicities).  64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
 
@@ -58,11 +59,12 @@ ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const 
 
 /* The same for integer coefficients, real or complex (Gaussian) ones, of any length.
  *   re, im  degree+1 real parts, and imaginary parts; im null: the coefficients are real
- * Errors: E_ARGUMENT (null, degree, more than ALGSURF_MAX_LIMBS limbs or null ones), E_ZERO, E_NO_MEMORY; ends of boxes
- * beyond the range of double are infinite.  Cost: that of ill-conditioned polynomials above.  28 KiB of
- * stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re, const algsurf_integer *im,
-                                                          int degree, algsurf_complex_root *roots, int *count);
+ * Errors: E_ARGUMENT (null, degree, more than ALGSURF_MAX_LIMBS limbs or null ones), E_ZERO, E_NO_MEMORY.
+ * Ends of boxes beyond the range of double are infinite.  Cost: that of ill-conditioned polynomials above.
+ * 28 KiB of stack.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re,
+                                                          const algsurf_integer *im, int degree,
+                                                          algsurf_complex_root *roots, int *count);
 
 /* ---- many polynomials at once ---- */
 

@@ -12,7 +12,8 @@
  * from its point than twice the discs' radii together.
  *
  * Rounding.  A difference is off by 2^-25 of itself (point.c), the product of n - 1 of them, with the
- * roundings, by n 2^-24, as n <= 512 keeps (1 + 2^-25)^n below 1 + n 2^-24.5.  All else is off by a few u. */
+ * roundings, by n 2^-24, as n <= 1024 keeps (1 + 2^-25)^n below 1 + n 2^-24.5.  All else is off by a few u.
+ */
 #include "../base/arithmetic.h"
 #include "discs.h"
 

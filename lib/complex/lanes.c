@@ -17,7 +17,7 @@
                                                 algsurf_complex_root *roots, int *count) {                   \
         algsurf_complex z[most + 1];                                                                         \
         for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};                                 \
-        return algsurf_i_all_roots(z, r, degree, 1, NULL, roots, count, NULL);                                         \
+        return algsurf_i_all_roots(z, r, degree, 1, NULL, roots, count, NULL);                               \
     }
 RUN_REAL(run_real, ALGSURF_MAX_DEGREE)
 RUN_REAL(run_large_real, ALGSURF_MAX_POLY_DEGREE)

@@ -127,7 +127,8 @@ static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
 
 /* ---- clusters ---- */
 
-/* The mean of a group, in *middle; how far its members are apart at most, and from all others at least. */
+/* The mean of a group, in *middle; how far its members are apart at most, and from all others at least: 0
+ * where there is no mean. */
 static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_scaled *wide,
                    algsurf_scaled *away) {
     algsurf_scaled mean = algsurf_i_scaled_none(), a;
@@ -141,6 +142,7 @@ static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_s
             *away = size;
     }
     const algsurf_i_point *z = &d->root[g].z;
+    if (is_zero(*wide)) return *away = *wide, 1; /* all at one place */
     int on_axis = d->p->real && !less(*wide, z->above);
     return algsurf_i_set_point(d->m, middle, z, by(mean, 1.0 / d->root[g].members),
                                wide->exponent - LEAST_BITS, on_axis);
@@ -170,6 +172,7 @@ static int place(algsurf_i_discs *d, int g) {
     algsurf_scaled *lost = q + m + 1, *spread = lost + m + 1, *z = spread + m + 1;
     for (int k = 0; k < MIDDLE_STEPS; k++) {
         if (!clear_taylor(d, &middle, m, &w, q, lost, spread)) return 0;
+        if (is_zero(q[m])) return 1;
         algsurf_scaled shift = over(q[m - 1], by(q[m], m));
         int64_t reach = (sum(size_of(q[0]), spread[0]).exponent - q[m].exponent) / m;
         if (is_zero(shift) || shift.exponent < reach - 4) break;

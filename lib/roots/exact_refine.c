@@ -195,7 +195,7 @@ static void set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
 }
 
 /* From the place (a, b) to doubles. */
-static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
+static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, int has_cell,
                       algsurf_exact_root *root) {
     algsurf_exact_place *place = &root->place;
     int e = walk->unit - place->r;
@@ -216,7 +216,7 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
         hi = lo;
     } else if (hi.sign == 0) {
         lo = hi;
-    } else if (!close_in(walk, f, first_guess(walk, before), &lo, &hi)) {
+    } else if (!close_in(walk, f, has_cell ? first_guess(walk, before) : NAN, &lo, &hi)) {
         return 0;
     }
     int outside = lo.t < first || hi.t > last; /* the place reaches less far than the doubles */
@@ -262,5 +262,12 @@ int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsu
         set_hull(walk, root);
         return 1;
     }
-    return to_doubles(walk, f, before, root);
+    return to_doubles(walk, f, before, 1, root);
+}
+
+int algsurf_exact_refine_place(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
+                               algsurf_exact_root *root) {
+    if (!is_enough(walk, &root->place)) return to_doubles(walk, f, before, 0, root);
+    set_hull(walk, root);
+    return 1;
 }

@@ -8,9 +8,12 @@
 #include "exact_walk.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-/* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three. */
-enum { ASK_AFTER = 5, ZOOM_AFTER = 2 };
+/* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three.  Discs
+ * about all roots cost as many as it takes to get so far, from degree 32 on, since numbers grow by a bit a
+ * degree with each. */
+enum { ASK_AFTER = 5, ZOOM_AFTER = 2, LIST_AFTER = 40, LIST_DEGREE = 32 };
 
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine, const algsurf_i_watch *watch) {
@@ -45,6 +48,74 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
     walk->cells.active = walk->cells.count = 0;
     walk->skip = walk->passed;
     algsurf_exact_pieces_again(&walk->pieces);
+    return 1;
+}
+
+/* ---- all roots at once ---- */
+
+/* Is root `at` to the right of the cell's left end, or there and not dealt with yet? */
+static int is_ahead(algsurf_exact_walk *walk, const algsurf_i_root_on_axis *at,
+                    const algsurf_exact_place *left, int *ahead) {
+    const algsurf_zpoly *f = walked(walk);
+    int low = at->r > left->r ? at->r : left->r, above, below, sign;
+    int w = (at->width > left->width ? at->width : left->width) + (abs(at->r - left->r) + 127) / 64;
+    algsurf_limb *x = algsurf_memory_take(walk->memory, 2 * (size_t)w), *y = x + w;
+    if (!x) return 0;
+    const algsurf_limb *ends[2] = {at->a, at->b ? at->b : at->a};
+    int side[2];
+    for (int i = 0; i < 2; i++) {
+        algsurf_z_copy(x, w, ends[i], at->width), algsurf_z_shift_up(x, w, low - at->r);
+        algsurf_z_copy(y, w, left->a, left->width), algsurf_z_shift_up(y, w, low - left->r);
+        algsurf_z_sub(x, y, w);
+        side[i] = algsurf_z_sign(x, w);
+    }
+    *ahead = side[0] >= 0;
+    if (at->b ? side[0] >= 0 || side[1] <= 0 : side[0] != 0) return 1;
+    *ahead = !walk->cells.cell.left_done;
+    if (!at->b) return 1;
+    if (!algsurf_zpoly_sign_at(walk->memory, f, left->a, left->width, left->r, &below, NULL, NULL) ||
+        !algsurf_zpoly_sign_at(walk->memory, f, at->a, at->width, at->r, &above, NULL, NULL))
+        return 0;
+    sign = below == above;
+    if (below != 0) *ahead = sign;
+    return 1;
+}
+
+/* The roots from the cell on, as a list, if discs have them: -1: no memory; 1: the list goes on. */
+static int list_roots(algsurf_exact_walk *walk) {
+    const algsurf_zpoly *f = walked(walk);
+    algsurf_limb *a, *b;
+    algsurf_exact_place left = {.of = f};
+    walk->listed = algsurf_i_take(walk->memory, (size_t)f->degree * sizeof *walk->listed);
+    walk->list_length = -1;
+    if (!walk->listed || !algsurf_i_roots_on_axis(walk->memory, f, walk->listed, &walk->list_length))
+        return -1;
+    if (walk->list_length < 0) return 0;
+    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &b,
+                                 &left.width, &left.r))
+        return -1;
+    left.a = a;
+    for (int ahead = 0; walk->next < walk->list_length; walk->next++) {
+        if (!is_ahead(walk, walk->listed + walk->next, &left, &ahead)) return -1;
+        if (ahead) break;
+    }
+    walk->top = algsurf_memory_here(walk->memory);
+    return 1;
+}
+
+static int is_listed(const algsurf_exact_walk *walk) { return walk->listed && walk->list_length >= 0; }
+
+/* The next one of the list: 1, 0; -1 without memory.  Its roots are simple: signs alternate, from that at
+ * -infinity. */
+static int next_listed(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    if (walk->next == walk->list_length) return 0;
+    const algsurf_zpoly *f = walked(walk);
+    const algsurf_i_root_on_axis *at = walk->listed + walk->next;
+    int negative = algsurf_z_negative(algsurf_zpoly_at(f, f->degree), f->width);
+    int before = walk->before = (f->degree + walk->next++ + negative) % 2 ? -1 : 1;
+    root->place = (algsurf_exact_place){f, at->a, at->b, at->width, at->r};
+    if (!algsurf_exact_refine_place(walk, f, before, root)) return -1;
+    if (!walk->parts) root->multiplicity = 1, root->sign_before = before;
     return 1;
 }
 
@@ -152,6 +223,10 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             int answer = ask_for_squares(walk);
             if (answer) return answer < 0 ? -1 : 0;
         }
+        if (!walk->listed && cell->b.degree >= LIST_DEGREE && cell->depth >= LIST_AFTER) {
+            int answer = list_roots(walk);
+            if (answer) return answer < 0 ? -1 : next_listed(walk, root);
+        }
         same = v == before ? same + 1 : 0;
         before = v;
         if (same >= ZOOM_AFTER && algsurf_z_sign(cell->b.c, cell->b.width) &&
@@ -182,6 +257,7 @@ static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     for (;;) {
         *root = (algsurf_exact_root){.multiplicity = 0};
+        if (is_listed(walk)) return next_listed(walk, root);
         if (walk->cells.active) {
             int found = search_cells(walk, root);
             if (found) return found;
@@ -208,7 +284,9 @@ static int see_which_side(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     if (refine == ALGSURF_EXACT_REFINED || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi))
         return 1;
     walk->refine = ALGSURF_EXACT_REFINED;
-    int done = algsurf_exact_refine(walk, root->place.of, root);
+    const algsurf_zpoly *f = root->place.of;
+    int done = is_listed(walk) ? algsurf_exact_refine_place(walk, f, walk->before, root)
+                               : algsurf_exact_refine(walk, f, root);
     walk->refine = refine;
     return done;
 }

@@ -10,11 +10,15 @@
  * s[0], whose roots are p's, each once, and passes over as many roots as it has reported.  What s[i] (the
  * roots of multiplicity above i) does at a root then tells the multiplicity.
  *
+ * Where halving gets far and still finds two variations, roots are too close for it: then all real roots come
+ * from discs about all complex ones (complex/on_axis.c).
+ *
  * Source: Collins, Akritas 1976; Rouillier, Zimmermann, Efficient isolation of polynomial's real roots, 2004;
  * Sagraloff, Mehlhorn, Computing real roots of real polynomials, 2016 (the step to a cluster). */
 #ifndef ALGSURF_ROOTS_EXACT_WALK_H
 #define ALGSURF_ROOTS_EXACT_WALK_H
 #include "algsurf/isolate.h"
+#include "../complex/discs.h"
 #include "../poly/integral.h"
 #include "exact_cell.h"
 
@@ -62,12 +66,16 @@ typedef struct algsurf_exact_walk {
     algsurf_exact_pieces pieces;
     algsurf_exact_piece piece; /* the current one */
     /* squarefree part */
-    int asked;                              /* 1: p is squarefree, or parts are there */
-    int parts;                              /* 0: p itself is walked; else members of s */
-    algsurf_zpoly *s;                       /* s[0] is walked */
-    int passed, skip;                       /* roots so far; of those to be passed over again */
-    algsurf_exact_cells cells;              /* of the piece */
-    int used_up;                            /* the cell's root has been reported */
+    int asked;                 /* 1: p is squarefree, or parts are there */
+    int parts;                 /* 0: p itself is walked; else members of s */
+    algsurf_zpoly *s;          /* s[0] is walked */
+    int passed, skip;          /* roots so far; of those to be passed over again */
+    algsurf_exact_cells cells; /* of the piece */
+    int used_up;               /* the cell's root has been reported */
+    /* from discs */
+    algsurf_i_root_on_axis *listed;         /* null: not asked for; else the roots, */
+    int list_length, next;                  /* how many, -1: not known; the next one, */
+    int before;                             /* the sign before the last one */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
 } algsurf_exact_walk;
 
@@ -123,6 +131,9 @@ int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piec
 /* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to
  * doubles. */
 int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
+/* The same from root->place, an interval with one root of f, which has the sign `before` at its left end. */
+int algsurf_exact_refine_place(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
+                               algsurf_exact_root *root);
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);

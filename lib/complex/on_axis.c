@@ -1,0 +1,113 @@
+/* on_axis.c - the real roots of a squarefree polynomial, from discs about all of its roots.
+ *
+ * A root alone in its disc is its own conjugate if the mirror image of the disc meets no other disc: its
+ * conjugate is in that image, and each root is in its disc.  A disc off the axis has no real root.  Of the
+ * others, |y| is at most the radius, so that the image lies within three radii of the point.
+ *
+ * The interval.  The root is within R = blur + error of x = z - W, and the interval about x, cut to multiples
+ * of 2^-10 R, reaches beyond that.  It stays within the disc, n |W| >= 3 |W|, and so has no other root, as
+ * long as R (1 + 2^-7) <= 2 |W|: else the root counts as not found. */
+#include "../base/arithmetic.h"
+#include <string.h>
+
+#include "discs.h"
+
+static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
+
+static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
+
+/* Is root i real: 1, 0; -1: not known. */
+static int is_real(algsurf_i_discs *d, int i, int *answer) {
+    const algsurf_i_disc *root = d->root + i;
+    algsurf_scaled far;
+    *answer = !less(root->disc, by(root->z.above, 1 - 0x1p-50));
+    for (int j = 0; *answer > 0 && j < d->n; j++) {
+        if (j == i) continue;
+        if (!algsurf_i_difference(d->m, &root->z, &d->root[j].z, &far)) return 0;
+        algsurf_scaled reach = algsurf_i_scaled_join(by(root->disc, 3), d->root[j].disc, 1);
+        if (!less(by(reach, 1 + 0x1p-20), algsurf_i_scaled_size(far))) *answer = -1;
+    }
+    return 1;
+}
+
+/* The interval about real root i; *done 0: not known. */
+static int set_interval(algsurf_i_discs *d, int i, algsurf_i_root_on_axis *at, int *done) {
+    const algsurf_i_disc *root = d->root + i;
+    algsurf_i_point x = {.room = 0};
+    algsurf_scaled R = algsurf_i_scaled_join(root->blur, root->error, 1), step = root->step;
+    int exact = algsurf_i_scaled_is_zero(root->step) && algsurf_i_scaled_is_zero(R);
+    *done = exact || less(by(R, 1 + 0x1p-6), by(algsurf_i_scaled_size(step), 2));
+    if (!*done) return 1;
+    step.re = -step.re, step.im = 0;
+    int64_t low = exact ? root->z.exponent : R.exponent - 10;
+    if (!algsurf_i_set_point(d->m, &x, &root->z, step, low, 1)) return 0;
+    int64_t up = x.exponent - low > 0 ? x.exponent - low : 0, w = x.w + up / 64 + 2;
+    algsurf_limb *a = algsurf_memory_take(d->m, 2 * (size_t)w);
+    if (!a) return 0;
+    *at = (algsurf_i_root_on_axis){a, exact ? NULL : a + w, (int)w, (int)-low};
+    algsurf_z_zero(a, 2 * (int)w);
+    algsurf_i_add_shifted(a, (int)w, x.x, x.w, up);
+    if (exact) {
+        at->r = (int)-x.exponent;
+        algsurf_z_copy(a, (int)w, x.x, x.w);
+        return 1;
+    }
+    algsurf_z_copy(a + w, (int)w, a, (int)w);
+    algsurf_limb reach = (algsurf_limb)(R.re * 0x1p10) + 4; /* each part of x is cut by less than 2 */
+    algsurf_z_add_limbs(a, (int)w, 0, reach);
+    algsurf_z_add_limbs(a + w, (int)w, reach, 0);
+    return 1;
+}
+
+static int compare(algsurf_i_discs *d, int i, int j, int *sign) {
+    algsurf_scaled a;
+    if (!algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, &a)) return 0;
+    *sign = (a.re > 0) - (a.re < 0);
+    return 1;
+}
+
+/* f_0 is not 0. */
+static int find(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at, int *count) {
+    algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
+    algsurf_i_discs d;
+    int open, corrections = 0, n = f->degree, *order = algsurf_i_take(m, (size_t)n * sizeof *order);
+    algsurf_scaled *start = algsurf_i_take(m, (size_t)n * sizeof *start);
+    *count = -1;
+    if (!order || !start || !algsurf_i_make_heads(m, &z)) return 0;
+    if (!algsurf_i_propose(m, z.head, z.size, NULL, n, NULL, start, &corrections)) return 0;
+    if (!algsurf_i_discs_begin(&d, m, &z.p, start) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
+        return 0;
+    int found = 0, sign, done = open == 0;
+    for (int i = 0; i < n && done; i++) {
+        int real, k = found;
+        if (!is_real(&d, i, &real)) return 0;
+        if (real < 0) return 1;
+        if (real == 0) continue;
+        for (; k > 0; order[k] = order[k - 1], k--) {
+            if (!compare(&d, i, order[k - 1], &sign)) return 0;
+            if (sign > 0) break;
+        }
+        order[k] = i;
+        found++;
+    }
+    for (int k = 0; k < found && done; k++)
+        if (!set_interval(&d, order[k], at + k, &done)) return 0;
+    if (done) *count = found;
+    return 1;
+}
+
+int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at,
+                            int *count) {
+    if (algsurf_z_sign(f->c, f->width) != 0) return find(m, f, at, count);
+    const algsurf_zpoly rest = {f->degree - 1, f->width, algsurf_zpoly_at(f, 1)};
+    algsurf_limb *zero = algsurf_memory_take(m, 1);
+    if (!zero || !find(m, &rest, at, count)) return 0;
+    if (*count < 0) return 1;
+    int below = 0; /* no interval has 0 inside, or none could be narrow */
+    while (below < *count && algsurf_z_negative(at[below].a, at[below].width)) below++;
+    memmove(at + below + 1, at + below, (size_t)(*count - below) * sizeof *at);
+    *zero = 0;
+    at[below] = (algsurf_i_root_on_axis){zero, NULL, 1, 0};
+    ++*count;
+    return 1;
+}
