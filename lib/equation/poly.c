@@ -258,6 +258,7 @@ algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algs
                                           algsurf_i_tripoly *out) {
     const algsurf_i_tripoly *small = a->count < b->count ? a : b, *large = small == a ? b : a;
     size_t most = algsurf_i_tripoly_most_terms(algsurf_i_tripoly_degree(a) + algsurf_i_tripoly_degree(b));
+    if (small->count <= ROWS) return add_rows(small->m, (int)small->count, large, large == a, most, out);
     algsurf_i_sum sum = {.parts = 0};
     algsurf_status status = ALGSURF_OK;
     for (size_t row = 0; status == ALGSURF_OK && row < small->count; row += ROWS) {
