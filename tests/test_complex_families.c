@@ -6,8 +6,8 @@
  * there are as many as there are different roots: each has exactly one.  A box is at most two units in the
  * last place wide, in units of its larger part; real roots are said to be real, and others are not.
  *
- * Breaks tried, each caught: the error of a cut value not counted; a disc without its factor n; a box that is
- * the disc's about z - W; the wrong one of two conjugates taken for a root of p. */
+ * Breaks tried, each caught: the error of cut values left out; discs far too small; boxes that are points about
+ * z - W; the wrong one of two conjugates taken for a root of p. */
 #include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
 
 #include <gmp.h>
