@@ -4,6 +4,7 @@
 #include "../poly/table_template.h"
 #include "../simd/degrees.h"
 #include "boxes.h"
+#include "many_template.h"
 #include "quadratic_template.h"
 
 #define DEGREES_3_AND_4(statement) FOR_ONE_DEGREE(3, statement) FOR_ONE_DEGREE(4, statement)
@@ -66,6 +67,6 @@ static void solve_many(const algsurf_table *re, const algsurf_table *im, int n, 
     }
 }
 
-const algsurf_i_allroots_kernel KERNEL(algsurf_i_allroots) = {solve_one, solve_many};
+const algsurf_i_allroots_kernel KERNEL(algsurf_i_allroots) = {solve_one, solve_many, approach, values};
 
 #endif

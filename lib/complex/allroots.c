@@ -167,11 +167,11 @@ static int take_integers(problem *s, algsurf_i_integers *z) {
 /* ---- all ---- */
 
 /* The roots but 0, from start values or null. */
-static int solve(problem *s, const algsurf_i_integers *z, const algsurf_scaled *given) {
+static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given) {
     algsurf_i_discs d;
     int open, n = z->p.re.degree;
     algsurf_scaled *at = algsurf_i_take(s->m, (size_t)n * sizeof *at);
-    if (!at || !algsurf_i_propose(s->m, z->head, z->size, z->p.radius, n, given, at, &s->proposed)) return 0;
+    if (!at || !algsurf_i_propose(s->m, z, given, at, &s->proposed)) return 0;
     if (!algsurf_i_discs_begin(&d, s->m, &z->p, at)) return 0;
     if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : FIRST_SWEEPS, &open)) return 0;
     if (open && !s->r) {

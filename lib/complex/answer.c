@@ -62,6 +62,19 @@ static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit
     return root;
 }
 
+/* The double inside of [lo,hi], if it is one, or lo = hi. */
+static int has_one_inside(algsurf_interval x, double *one) {
+    *one = x.lo == x.hi ? x.lo : nextafter(x.lo, HUGE_VAL);
+    return isfinite(x.lo) && isfinite(x.hi) && (x.lo == x.hi || nextafter(*one, HUGE_VAL) == x.hi);
+}
+
+int algsurf_i_double_inside(const algsurf_i_discs *d, int i, double z[2]) {
+    algsurf_cinterval box = box_of(d, i, 0).box;
+    if (d->p->real && box.im.lo <= 0 && box.im.hi >= 0) box.im = (algsurf_interval){0, 0};
+    if (box.re.lo == box.re.hi && box.im.lo == box.im.hi) return 0;
+    return has_one_inside(box.re, z) && has_one_inside(box.im, z + 1);
+}
+
 static double middle(algsurf_interval x) { return inside(x, 0.5 * x.lo + 0.5 * x.hi); }
 
 static algsurf_interval hull(algsurf_interval a, algsurf_interval b) {

@@ -15,6 +15,9 @@
  * roundings, by n 2^-24, as n <= 1024 keeps (1 + 2^-25)^n below 1 + n 2^-24.5.  All else is off by a few u.
  */
 #include "../base/arithmetic.h"
+#include <math.h>
+#include <stdlib.h>
+
 #include "discs.h"
 
 #define SLACK 0x1p-24    /* relative error of a product, for each factor */
@@ -50,18 +53,25 @@ void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int
     for (int j = 0; j <= last; j++) spread[j] = by(spread[j], UP);
 }
 
-/* p(z), with as many limbs as it takes. */
-static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
+/* p(z) is `value`, off by `lost`, for the coefficients in the middle. */
+static void set_known(algsurf_i_discs *d, algsurf_i_disc *root, algsurf_scaled value, algsurf_scaled lost) {
     algsurf_scaled spread;
     algsurf_i_spread(d->p, &root->z, 0, &spread);
-    for (;; root->width += root->width / 2 + 1) {
-        if (!algsurf_i_taylor(d->m, d->p, &root->z, 0, root->width, &root->value, &root->lost)) return 0;
-        algsurf_scaled lost = by(root->lost, ENOUGH);
-        if (!less(size_of(root->value), lost) || less(lost, spread)) break;
-    }
-    root->stuck = d->p->radius && !less(by(spread, 4), size_of(root->value));
-    root->lost = sum(root->lost, spread);
+    root->stuck = d->p->radius && !less(by(spread, 4), size_of(value));
+    root->value = value, root->lost = sum(lost, spread);
     root->known = 1;
+}
+
+/* p(z), with as many limbs as it takes. */
+static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
+    algsurf_scaled spread, value, lost;
+    algsurf_i_spread(d->p, &root->z, 0, &spread);
+    for (;; root->width += root->width / 2 + 1) {
+        if (!algsurf_i_taylor(d->m, d->p, &root->z, 0, root->width, &value, &lost)) return 0;
+        algsurf_scaled most = by(lost, ENOUGH);
+        if (!less(size_of(value), most) || less(most, spread)) break;
+    }
+    set_known(d, root, value, lost);
     return 1;
 }
 
@@ -74,20 +84,31 @@ static algsurf_scaled lead_of(const algsurf_i_gaussian *p) {
     return p->im.c ? lead : algsurf_i_scaled_of(lead.re, 0, lead.exponent);
 }
 
+static algsurf_scaled normal(algsurf_scaled a) { return algsurf_i_scaled_of(a.re, a.im, a.exponent); }
+
+/* For sizes that are not normalised. */
+static int is_nearer(algsurf_scaled a, algsurf_scaled b) {
+    return a.exponent == b.exponent ? a.re < b.re : less(normal(a), normal(b));
+}
+
 /* step = c_n prod (z - z_j), and nearest. */
 static int set_products(algsurf_i_discs *d) {
     algsurf_scaled lead = lead_of(d->p), a;
     for (int i = 0; i < d->n; i++) d->root[i].step = lead, d->root[i].nearest = ALGSURF_I_ENDLESS;
     for (int i = 0; i < d->n; i++)
         for (int j = 0; j < i; j++) {
-            if (!difference(d, i, j, &a)) return 0;
-            algsurf_scaled least = algsurf_i_scaled_of(0.5 * fmax(fabs(a.re), fabs(a.im)), 0, a.exponent);
-            if (less(least, d->root[i].nearest)) d->root[i].nearest = least;
-            if (less(least, d->root[j].nearest)) d->root[j].nearest = least;
-            d->root[i].step = times(d->root[i].step, a);
-            a.re = -a.re, a.im = -a.im;
-            d->root[j].step = times(d->root[j].step, a);
+            algsurf_i_disc *one = d->root + i, *two = d->root + j;
+            if (!algsurf_i_gap(d->m, &one->z, &two->z, &a)) return 0;
+            algsurf_scaled least = {0.5 * fmax(fabs(a.re), fabs(a.im)), 0, a.exponent};
+            if (is_nearer(least, one->nearest)) one->nearest = least;
+            if (is_nearer(least, two->nearest)) two->nearest = least;
+            algsurf_i_scaled_multiply(&one->step, a.re, a.im, a.exponent);
+            algsurf_i_scaled_multiply(&two->step, -a.re, -a.im, a.exponent);
         }
+    for (int i = 0; i < d->n; i++) {
+        d->root[i].step = normal(d->root[i].step);
+        d->root[i].nearest = normal(d->root[i].nearest);
+    }
     return 1;
 }
 
@@ -132,9 +153,13 @@ static int touch(algsurf_i_discs *d, int i, int j, int *result) {
 }
 
 static int set_groups(algsurf_i_discs *d) {
+    algsurf_scaled most = algsurf_i_scaled_none();
+    for (int i = 0; i < d->n; i++)
+        if (less(most, d->root[i].disc)) most = d->root[i].disc;
     for (int i = 0; i < d->n; i++) {
         d->root[i].group = i;
         d->root[i].members = 0;
+        if (less(by(sum(d->root[i].disc, most), 1 + 0x1p-20), d->root[i].nearest)) continue;
         for (int j = 0; j < i; j++) {
             int together;
             if (!touch(d, i, j, &together)) return 0;
@@ -152,7 +177,7 @@ static int share_of(algsurf_i_discs *d, int i, algsurf_scaled most, algsurf_scal
     algsurf_i_disc *root = d->root + i;
     algsurf_scaled far;
     *share = by(over(most, root->nearest), d->n * UP);
-    if (share->exponent < -40) return 1;
+    if (share->exponent < -24) return 1; /* below what rounding costs */
     *share = algsurf_i_scaled_none();
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
@@ -191,13 +216,42 @@ static int set_blur(algsurf_i_discs *d) {
 static void set_mates(algsurf_i_discs *d) {
     for (int i = 0; i < d->n; i++) d->root[i].mate = -1;
     for (int i = 0; i < d->n && d->p->real; i++)
-        for (int j = 0; j < i && d->root[i].mate < 0; j++)
+        for (int j = 0; d->root[i].z.flat[1] != 0 && j < i && d->root[i].mate < 0; j++)
             if (algsurf_i_is_conjugate(&d->root[i].z, &d->root[j].z))
                 d->root[i].mate = j, d->root[j].mate = i;
 }
 
+/* Values in doubles, for points that are doubles; those that suffice are known then. */
+static int try_doubles(algsurf_i_discs *d) {
+    const algsurf_i_flat *p = d->p->flat;
+    const size_t n = (size_t)d->n;
+    algsurf_memory_mark mark = algsurf_memory_here(d->m);
+    double *x = algsurf_i_take(d->m, 5 * n * sizeof *x), *y = x + n, *re = y + n, *im = re + n, *sum = im + n;
+    int *who = algsurf_i_take(d->m, n * sizeof *who), count = 0;
+    if (!x || !who) return 0;
+    for (int i = 0; i < d->n; i++) {
+        const algsurf_i_disc *root = d->root + i;
+        const algsurf_scaled at = root->z.head;
+        if (root->known || !root->z.exact || (root->mate >= 0 && root->mate < i)) continue;
+        if (llabs(at.exponent - p->unit) > 400) continue;
+        x[count] = ldexp(at.re, (int)(at.exponent - p->unit));
+        y[count] = ldexp(at.im, (int)(at.exponent - p->unit));
+        who[count++] = i;
+    }
+    algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL))->values(p, x, y, count, re, im, sum);
+    for (int k = 0; k < count; k++) {
+        algsurf_i_disc *root = d->root + who[k];
+        double lost = 33.0 * d->n * (d->n + 2) * 0x1p-106 * sum[k] + 0x1p-52 * (fabs(re[k]) + fabs(im[k]));
+        if (!(fmax(fabs(re[k]), fabs(im[k])) >= ENOUGH * lost && sum[k] <= 0x1p900)) continue;
+        set_known(d, root, algsurf_i_scaled_of(re[k], im[k], p->top), algsurf_i_scaled_of(lost, 0, p->top));
+    }
+    algsurf_memory_release(d->m, mark);
+    return 1;
+}
+
 static int set_values(algsurf_i_discs *d) {
     set_mates(d);
+    if (d->p->flat && d->p->flat->exact && !try_doubles(d)) return 0;
     for (int i = 0; i < d->n; i++) {
         algsurf_i_disc *root = d->root + i;
         if (root->known) continue;

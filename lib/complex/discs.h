@@ -7,6 +7,7 @@
 #define ALGSURF_COMPLEX_DISCS_H
 #include "algsurf/allroots.h"
 #include "../poly/integral.h"
+#include "boxes.h"
 #include "scaled.h"
 
 /* sum (re_k + i im_k) z^k with integers; the leading coefficient is not 0. */
@@ -15,6 +16,7 @@ typedef struct algsurf_i_gaussian {
     const int *bits;              /* degree+1: |re_k|, |im_k| <= 2^bits; -1: both are 0 */
     const algsurf_scaled *radius; /* degree+1 sizes: coefficients are off by that much; null: exact */
     int real;                     /* coefficients are real, and so is what the radii mean */
+    const algsurf_i_flat *flat;   /* null: they do not fit doubles */
 } algsurf_i_gaussian;
 
 /* (x + iy) 2^exponent, in w limbs each. */
@@ -22,8 +24,10 @@ typedef struct algsurf_i_point {
     algsurf_limb *x, *y;
     int w, room; /* limbs in use, and at x and y */
     int64_t exponent;
-    algsurf_scaled head;  /* off by 2^-52 of its larger part in each part */
-    algsurf_scaled above; /* |y|, off by 2^-52 of itself */
+    algsurf_scaled head;   /* off by 2^-52 of its larger part in each part */
+    algsurf_scaled above;  /* |y|, off by 2^-52 of itself */
+    int exact;             /* it is the head */
+    double flat[2], reach; /* the head as doubles, its larger part; NaN: beyond 2^+-250 */
 } algsurf_i_point;
 
 /* A root, and what is known of it.  Its group's discs hold as many roots as the group has members; one that
@@ -43,6 +47,7 @@ typedef struct algsurf_i_disc {
     unsigned char stuck;    /* it is 0 within four times the radii */
     unsigned char placed;   /* where its disc is about as small as radii allow */
     unsigned char done;     /* needs no step */
+    unsigned char snapped;  /* has been at the double it is next to */
     int mate;               /* the root at the conjugate point, of a real polynomial; -1: none */
     unsigned char left_out; /* no root of the polynomial that is asked for */
 } algsurf_i_disc;
@@ -68,6 +73,8 @@ static inline void *algsurf_i_take(algsurf_memory *m, size_t bytes) {
 void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift);
 /* The head of (x + iy) 2^exponent. */
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent);
+/* It is exactly that. */
+int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w);
 /* The coefficients of p(z + y) up to that of y^last, by Horner's rule on integers of w >= 2 limbs:
  * coefficient j is within the size lost[j] of value[j], radii not counted.  lost[j] is 0 where nothing was
  * cut. */
@@ -83,21 +90,32 @@ int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_p
 int algsurf_i_set_conjugate(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from);
 /* b is exactly the conjugate of a. */
 int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b);
-/* a - b, off by 2^-25 of itself; 0 only where they are equal. */
-int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
-                         algsurf_scaled *result);
+/* a - b as below, from the points' integers. */
+int algsurf_i_exact_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                               algsurf_scaled *result);
+/* a - b, off by 2^-25 of itself; 0 only where they are equal.  Not normalised, but within 2^+-300.
+ * Heads tell it where it is at least 2^-25 of the larger one: each part is then off by at most
+ * 2 * 2^-52 * 2^25 and a rounding. */
+static inline int algsurf_i_gap(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                                algsurf_scaled *result) {
+    double x = a->flat[0] - b->flat[0], y = a->flat[1] - b->flat[1];
+    double size = fabs(x) > fabs(y) ? fabs(x) : fabs(y);
+    *result = (algsurf_scaled){x, y, 0};
+    return (size >= 0x1p-25 * a->reach && size >= 0x1p-25 * b->reach && size > 0) ||
+           algsurf_i_exact_difference(m, a, b, result);
+}
+/* The same, normalised. */
+static inline int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                                       algsurf_scaled *result) {
+    if (!algsurf_i_gap(m, a, b, result)) return 0;
+    if (result->exponent == 0) *result = algsurf_i_scaled_of(result->re, result->im, 0);
+    return 1;
+}
 
 /* ---- propose.c ---- */
 
 /* Start values for the n roots of sum c_k z^k, |c_k| <= size_k; *fit: doubles suffice to go on from them. */
 int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit);
-/* Approximations of the n roots of sum c_k z^k, some of them perhaps bad, from start values `given` where
- * that is not null, and they are not 0; |c_k| <= size_k, which are not 0 for k = 0 and n.  radius: null, or
- * sizes by which coefficients may be off: less is not asked.  Adds to *corrections how many there were of a
- * root. */
-int algsurf_i_propose(algsurf_memory *m, const algsurf_scaled *c, const algsurf_scaled *size,
-                      const algsurf_scaled *radius, int n, const algsurf_scaled *given, algsurf_scaled *z,
-                      int *corrections);
 
 /* ---- discs.c, part.c ---- */
 
@@ -122,9 +140,16 @@ typedef struct algsurf_i_integers {
     algsurf_i_gaussian p;
     int *bits;
     algsurf_scaled *head, *size, *radius; /* degree+1; the last is not set by algsurf_i_make_heads */
+    unsigned char *exact;                 /* coefficient k is its head */
+    algsurf_i_flat flat;
 } algsurf_i_integers;
 /* From z->p.re and .im. */
 int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z);
+/* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
+ * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
+ * Adds to *corrections how many there were of a root. */
+int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
+                      algsurf_scaled *z, int *corrections);
 
 /* Roots by factors. */
 typedef struct algsurf_i_factors {
@@ -157,6 +182,8 @@ int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i
 /* Boxes of the groups, times 2^unit, rounded outward, disjoint; those of a real polynomial are symmetric.
  * Returns their number. */
 int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots);
+/* The only double inside of the box of root i, which is alone; 0: there is none. */
+int algsurf_i_double_inside(const algsurf_i_discs *d, int i, double z[2]);
 /* Joins boxes that meet; `real`: also those that meet one box's mirror image.  Returns the number left, in
  * order. */
 int algsurf_i_join_boxes(algsurf_complex_root *roots, int count, int real);

@@ -21,7 +21,8 @@ int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z) {
     size_t terms = (size_t)n + 1;
     z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
     z->head = algsurf_i_take(m, 3 * terms * sizeof *z->head);
-    if (!z->bits || !z->head) return 0;
+    z->exact = algsurf_i_take(m, terms);
+    if (!z->bits || !z->head || !z->exact) return 0;
     z->size = z->head + terms, z->radius = z->size + terms;
     for (int k = 0; k <= n; k++) {
         const algsurf_limb *x = algsurf_zpoly_at(&z->p.re, k),
@@ -31,6 +32,7 @@ int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z) {
         if (!z->p.im.c) z->head[k] = algsurf_i_scaled_of(z->head[k].re, 0, z->head[k].exponent);
         z->size[k] = algsurf_i_scaled_size(z->head[k]);
         z->bits[k] = algsurf_i_scaled_is_zero(z->head[k]) ? -1 : a > b ? a : b;
+        z->exact[k] = (unsigned char)algsurf_i_head_is_exact(x, y, w);
     }
     z->p.bits = z->bits;
     return 1;
@@ -119,7 +121,7 @@ static int solve_factor(algsurf_i_factors *s, const algsurf_zpoly *f, int multip
     int open;
     algsurf_scaled *at = algsurf_i_take(s->m, (size_t)f->degree * sizeof *at);
     if (!at || !algsurf_i_make_heads(s->m, &z)) return 0;
-    if (!algsurf_i_propose(s->m, z.head, z.size, NULL, f->degree, NULL, at, s->proposed)) return 0;
+    if (!algsurf_i_propose(s->m, &z, NULL, at, s->proposed)) return 0;
     if (!algsurf_i_discs_begin(&d, s->m, &z.p, at) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
         return 0;
     *s->moved += d.moved;

@@ -74,7 +74,7 @@ static int find(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axi
     algsurf_scaled *start = algsurf_i_take(m, (size_t)n * sizeof *start);
     *count = -1;
     if (!order || !start || !algsurf_i_make_heads(m, &z)) return 0;
-    if (!algsurf_i_propose(m, z.head, z.size, NULL, n, NULL, start, &corrections)) return 0;
+    if (!algsurf_i_propose(m, &z, NULL, start, &corrections)) return 0;
     if (!algsurf_i_discs_begin(&d, m, &z.p, start) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
         return 0;
     int found = 0, sign, done = open == 0;

@@ -9,6 +9,7 @@
  * small that is beside the way to all others.  The middle is a simple root of the derivative p^(m-1): each
  * Newton step doubles its digits. */
 #include "../base/arithmetic.h"
+#include <math.h>
 #include <string.h>
 
 #include "../base/elementary.h"
@@ -21,6 +22,10 @@
 #define MIDDLE_STEPS 40
 #define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
 #define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
+
+static algsurf_limb no_limb;
+static const algsurf_i_point origin = {
+    .x = &no_limb, .y = &no_limb, .w = 1, .head = {.exponent = ALGSURF_SCALED_NONE}};
 
 static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
 
@@ -58,8 +63,6 @@ static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
 
 int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
                           const algsurf_scaled *z) {
-    static algsurf_limb none;
-    const algsurf_i_point origin = {.x = &none, .y = &none, .w = 1, .head = algsurf_i_scaled_none()};
     const size_t bytes = (size_t)p->re.degree * sizeof *d->root;
     *d = (algsurf_i_discs){.p = p, .m = m, .n = p->re.degree};
     d->root = algsurf_i_take(m, bytes);
@@ -239,6 +242,25 @@ static int follows_mate(const algsurf_i_discs *d, int i) {
     return root->mate >= 0 && root->mate < i && !d->root[root->mate].known && less(root->disc, root->z.above);
 }
 
+/* Roots next to a double, in each part, go there: they are that double, or at one side of it, by much more
+ * than their discs' radii. */
+static int snap(algsurf_i_discs *d) {
+    double z[2];
+    for (int i = 0; i < d->n; i++) {
+        algsurf_i_disc *root = d->root + i;
+        if (d->p->radius || root->snapped || !is_alone(d, i) || !algsurf_i_double_inside(d, i, z)) continue;
+        root->snapped = 1;
+        double least = fmin(z[0] == 0 ? HUGE_VAL : fabs(z[0]), z[1] == 0 ? HUGE_VAL : fabs(z[1]));
+        if (least < 0x1p-900 || fmax(fabs(z[0]), fabs(z[1])) > 0x1p900) continue;
+        root->known = 0;
+        d->moved++;
+        if (!algsurf_i_set_point(d->m, &root->z, &origin, algsurf_i_scaled_of(z[0], z[1], 0),
+                                 ilogb(least) - 53, 0))
+            return 0;
+    }
+    return 1;
+}
+
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
     for (int k = 0;; k++) {
         if (!algsurf_i_discs_prove(d)) return 0;
@@ -247,6 +269,7 @@ int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
         for (int g = 0; g < d->n; g++)
             if (is_cluster(d, g) && !place(d, g)) return 0;
         for (int i = 0; i < d->n; i++) placed += !d->root[i].known;
+        if (*open == 0 && placed == d->moved && !snap(d)) return 0;
         if ((*open == 0 && placed == d->moved) || k == most) return 1;
         for (int i = 0; i < d->n; i++)
             if (!d->root[i].done && !step_of(d, i, &d->root[i].next)) return 0;

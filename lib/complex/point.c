@@ -1,8 +1,7 @@
-/* point.c - points of the complex plane as integers, and their differences.
- *
- * A difference of heads is used where it is at least 2^-26 of the larger head: each part is then off by at
- * most 2 * 2^-52 * 2^26 and a rounding.  Else the points are subtracted exactly. */
+/* point.c - points of the complex plane as integers, and their differences. */
 #include "../base/arithmetic.h"
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "discs.h"
@@ -41,6 +40,12 @@ static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z
     next->head = algsurf_i_head(next->x, next->y, next->w, next->exponent);
     next->above = algsurf_i_head(next->y, next->y, next->w, next->exponent);
     next->above = algsurf_i_scaled_of(fabs(next->above.re), 0, next->above.exponent);
+    const algsurf_scaled head = next->head;
+    next->exact = algsurf_i_head_is_exact(next->x, next->y, next->w);
+    double unit = llabs(head.exponent) < 250 ? algsurf_i_power_of_two(head.exponent) : NAN;
+    if (algsurf_i_scaled_is_zero(head)) unit = 1;
+    next->flat[0] = head.re * unit, next->flat[1] = head.im * unit;
+    next->reach = fmax(fabs(next->flat[0]), fabs(next->flat[1]));
     if (z->room >= next->w) {
         memcpy(z->x, next->x, (size_t)next->w * sizeof *z->x);
         memcpy(z->y, next->y, (size_t)next->w * sizeof *z->y);
@@ -94,8 +99,8 @@ int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b) {
     return 1;
 }
 
-static int exact_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
-                            algsurf_scaled *result) {
+int algsurf_i_exact_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
+                               algsurf_scaled *result) {
     int64_t low = a->exponent < b->exponent ? a->exponent : b->exponent;
     int64_t up = (a->exponent > b->exponent ? a->exponent : b->exponent) - low;
     if (up > MOST_BITS) return 0;
@@ -113,11 +118,4 @@ static int exact_difference(algsurf_memory *m, const algsurf_i_point *a, const a
     *result = algsurf_i_head(x, y, w, low);
     algsurf_memory_release(m, mark);
     return 1;
-}
-
-int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
-                         algsurf_scaled *result) {
-    int64_t larger = a->head.exponent > b->head.exponent ? a->head.exponent : b->head.exponent;
-    *result = algsurf_i_scaled_join(a->head, b->head, -1);
-    return result->exponent >= larger - 25 || exact_difference(m, a, b, result);
 }

@@ -48,6 +48,14 @@ static inline algsurf_scaled algsurf_i_scaled_times(algsurf_scaled a, algsurf_sc
     return algsurf_i_scaled_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re, a.exponent + b.exponent);
 }
 
+/* a = a (x + iy) 2^exponent, not normalised: parts of a stay below 2^300, x and y are below 2^300, the larger
+ * one above 2^-300. */
+static inline void algsurf_i_scaled_multiply(algsurf_scaled *a, double x, double y, int64_t exponent) {
+    double re = a->re * x - a->im * y, im = a->re * y + a->im * x, size = fabs(re) + fabs(im);
+    a->re = re, a->im = im, a->exponent += exponent;
+    if (!(size > 0x1p-300 && size < 0x1p300)) *a = algsurf_i_scaled_of(re, im, a->exponent);
+}
+
 /* A factor within 2^+-900. */
 static inline algsurf_scaled algsurf_i_scaled_by(algsurf_scaled a, double factor) {
     return algsurf_i_scaled_of(a.re * factor, a.im * factor, a.exponent);

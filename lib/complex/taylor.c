@@ -32,6 +32,18 @@ algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int 
                                (double)(int64_t)limb_at(y, w, bits - 63), exponent + bits - 63);
 }
 
+/* Both parts have 53 bits, and the head's window of 63 begins below the last one. */
+int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w) {
+    const algsurf_limb *part[2] = {x, y};
+    const int top = bits_of(x, y, w);
+    for (int i = 0; i < 2; i++) {
+        int last = algsurf_z_trailing(part[i], w);
+        if (last == ALGSURF_Z_NO_BIT) continue;
+        if (algsurf_z_bits(part[i], w) - last > 53 || top - last > 60) return 0;
+    }
+    return 1;
+}
+
 /* (re + i im) 2^exponent, off by at most `lost`: a coefficient, or a sum. */
 typedef struct term {
     const algsurf_limb *re, *im; /* im null: real */
