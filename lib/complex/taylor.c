@@ -2,9 +2,11 @@
  *
  * The sum so far is (r + i s) 2^e.  A step multiplies by z, exactly, and adds a coefficient; where the result
  * has more than w limbs its exponent rises and what is below is cut: less than 1 from each of two terms in
- * each part, less than 3 units of 2^e together.  What was lost before is multiplied by |z|.  The bound is a
- * sum of products of sizes, each off by less than 8 u, n of them one after the other: 2^-40 in |z| covers
- * that. */
+ * each part, less than 3 units of 2^e together.  The product's larger part is at least 2^(b + f - 3) where a
+ * part of the sum has b bits and one of z has f, so that e exceeds its last bit by b + f - 1 - 64 w: two
+ * limbs less than that are not computed, which is nothing beside the rest of the 3 units.  What was lost
+ * before is multiplied by |z|.  The bound is a sum of products of sizes, each off by less than 8 u, n of them
+ * one after the other: 2^-40 in |z| covers that. */
 #include "../base/arithmetic.h"
 #include "discs.h"
 
@@ -17,8 +19,17 @@ static algsurf_limb limb_at(const algsurf_limb *a, int w, int64_t from) {
 
 void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift) {
     unsigned char carry = 0;
-    for (int i = 0; i < w; i++)
-        r[i] = algsurf_limb_add(r[i], limb_at(a, wa, 64 * (int64_t)i - shift), &carry);
+    const int64_t at = -shift >> 6; /* of r[0] in a, rounded down */
+    const int rest = (int)(-shift & 63);
+    const algsurf_limb sign = 0 - (a[wa - 1] >> 63);
+    algsurf_limb low = at < 0 ? 0 : at < wa ? a[at] : sign;
+    for (int i = 0; i < w; i++) {
+        int64_t k = at + i + 1;
+        algsurf_limb high = k < 0 ? 0 : k < wa ? a[k] : sign;
+        algsurf_limb limb = rest ? low >> rest | high << (64 - rest) : low;
+        r[i] = algsurf_limb_add(r[i], limb, &carry);
+        low = high;
+    }
 }
 
 static int bits_of(const algsurf_limb *x, const algsurf_limb *y, int w) {
@@ -69,17 +80,21 @@ static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
 static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_factor *y, int64_t exponent,
                  algsurf_scaled far, term t) {
     int64_t top = INT64_MIN, low = INT64_MAX;
-    int bits = -1;
+    algsurf_limb *re = a->product_re, *im = a->product_im;
+    int bits = -1, wide = a->wide;
     if (a->bits >= 0) {
-        algsurf_z_zero(a->product_re, a->wide);
-        algsurf_z_zero(a->product_im, a->wide);
-        algsurf_z_add_times(a->product_re, a->wide, a->re, a->w, x, 0);
-        algsurf_z_add_times(a->product_im, a->wide, a->re, a->w, y, 0);
+        int longer = x->bits > y->bits ? x->bits : y->bits, from = (a->bits + longer - 1) / 64 - a->w - 2;
+        if (from < 0) from = 0;
+        wide -= from, exponent += 64 * (int64_t)from;
+        algsurf_z_zero(re, wide);
+        algsurf_z_zero(im, wide);
+        algsurf_z_add_high_times(re, wide, a->re, a->w, x, from, 0);
+        algsurf_z_add_high_times(im, wide, a->re, a->w, y, from, 0);
         if (algsurf_z_sign(a->im, a->w) != 0) {
-            algsurf_z_add_times(a->product_re, a->wide, a->im, a->w, y, 1);
-            algsurf_z_add_times(a->product_im, a->wide, a->im, a->w, x, 0);
+            algsurf_z_add_high_times(re, wide, a->im, a->w, y, from, 1);
+            algsurf_z_add_high_times(im, wide, a->im, a->w, x, from, 0);
         }
-        bits = bits_or_none(a->product_re, a->product_im, a->wide);
+        bits = bits_or_none(re, im, wide);
     }
     exponent += a->exponent;
     if (bits >= 0) top = exponent + bits, low = exponent;
@@ -96,8 +111,8 @@ static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_fact
     int64_t e = top + 2 - 64 * (int64_t)a->w;
     a->exponent = e = e < low ? low : e;
     if (bits >= 0) {
-        algsurf_i_add_shifted(a->re, a->w, a->product_re, a->wide, exponent - e);
-        algsurf_i_add_shifted(a->im, a->w, a->product_im, a->wide, exponent - e);
+        algsurf_i_add_shifted(a->re, a->w, re, wide, exponent - e);
+        algsurf_i_add_shifted(a->im, a->w, im, wide, exponent - e);
     }
     if (t.bits >= 0) {
         algsurf_i_add_shifted(a->re, a->w, t.re, t.w, t.exponent - e);
