@@ -29,6 +29,8 @@ static const algsurf_i_point origin = {
 
 static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
 
+static algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_times(a, b); }
+
 static algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_join(a, b, 1); }
 
 static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
@@ -81,12 +83,15 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i
 
 static int is_alone(const algsurf_i_discs *d, int i) { return d->root[d->root[i].group].members == 1; }
 
-/* Whether the box about z - step is as narrow as is asked. */
+/* Whether the box about z - step is as narrow as is asked, and the disc does not keep those of others wide:
+ * then no share of discs.c exceeds 1/4. */
 static int is_narrow(const algsurf_i_discs *d, int i) {
     const algsurf_i_disc *root = d->root + i;
     algsurf_scaled at = algsurf_i_scaled_join(root->z.head, root->step, -1), blur = root->blur;
     algsurf_scaled x = part(at.re, at.exponent), y = part(at.im, at.exponent), most = larger(x, y);
-    if (is_zero(blur) || (root->stuck && !less(blur, ALGSURF_I_ENDLESS))) return 1;
+    if (root->stuck && !less(blur, ALGSURF_I_ENDLESS)) return 1;
+    if (!root->stuck && !less(by(root->disc, 8.0 * d->n), root->nearest)) return 0;
+    if (is_zero(blur)) return 1;
     blur.exponent += NARROW;
     if (!less(most, blur)) return 1;
     blur.exponent += NARROW_PART - NARROW;
@@ -117,11 +122,17 @@ static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
     algsurf_i_circle(TURN * i + 0.7, way);
     *step = algsurf_i_scaled_of(way[0], way[1], size.exponent - 10);
     if (!less(root->disc, ALGSURF_I_ENDLESS)) return 1;
+    algsurf_scaled turned = algsurf_i_scaled_none();
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
         if (!difference(d, i, j, &a)) return 0;
-        if (!is_zero(a)) total = sum(total, over(d->root[j].step, a));
+        const algsurf_i_disc *other = d->root + j;
+        algsurf_scaled before = is_zero(other->next) ? a : sum(a, negative(other->next));
+        if (is_zero(a) || is_zero(before)) continue;
+        total = sum(total, over(other->step, before));
+        if (!is_zero(other->next)) turned = sum(turned, over(other->next, times(before, a)));
     }
+    total = sum(total, times(root->step, turned));
     if (total.exponent < -10) return 1;
     *step = over(root->step, total);
     if (step->exponent > size.exponent + 1) step->exponent = size.exponent + 1;
@@ -242,6 +253,13 @@ static int follows_mate(const algsurf_i_discs *d, int i) {
     return root->mate >= 0 && root->mate < i && !d->root[root->mate].known && less(root->disc, root->z.above);
 }
 
+/* No point has moved. */
+static int all_known(const algsurf_i_discs *d) {
+    int all = 1;
+    for (int i = 0; i < d->n; i++) all = all && d->root[i].known;
+    return all;
+}
+
 /* Roots next to a double, in each part, go there: they are that double, or at one side of it, by much more
  * than their discs' radii. */
 static int snap(algsurf_i_discs *d) {
@@ -261,25 +279,33 @@ static int snap(algsurf_i_discs *d) {
     return 1;
 }
 
+/* Where root i goes, `next` is by how much. */
+static int take_step(algsurf_i_discs *d, int i) {
+    algsurf_i_disc *root = d->root + i;
+    algsurf_scaled step;
+    if (follows_mate(d, i)) {
+        root->next = d->root[root->mate].next;
+        root->next.im = -root->next.im;
+        root->known = 0;
+        return algsurf_i_set_conjugate(d->m, &root->z, &d->root[root->mate].z);
+    }
+    if (!step_of(d, i, &step)) return 0;
+    if (is_zero(step)) return 1;
+    root->next = step;
+    return move(d, i, step);
+}
+
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
     for (int k = 0;; k++) {
         if (!algsurf_i_discs_prove(d)) return 0;
         *open = count_open(d);
-        int placed = d->moved;
+        if (k >= most && (*open > 0 || d->p->radius)) return 1; /* before points move: discs are of these */
         for (int g = 0; g < d->n; g++)
             if (is_cluster(d, g) && !place(d, g)) return 0;
-        for (int i = 0; i < d->n; i++) placed += !d->root[i].known;
-        if (*open == 0 && placed == d->moved && !snap(d)) return 0;
-        if ((*open == 0 && placed == d->moved) || k == most) return 1;
-        for (int i = 0; i < d->n; i++)
-            if (!d->root[i].done && !step_of(d, i, &d->root[i].next)) return 0;
-        for (int i = 0; i < d->n; i++) {
-            algsurf_i_disc *root = d->root + i;
-            if (root->done || is_zero(root->next)) continue;
-            if (!(follows_mate(d, i) ? algsurf_i_set_conjugate(d->m, &root->z, &d->root[root->mate].z)
-                                     : move(d, i, root->next)))
-                return 0;
-            root->known = 0;
-        }
+        if (*open == 0 && all_known(d) && !snap(d)) return 0;
+        if (*open == 0 && all_known(d)) return 1;
+        for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+        for (int j = 0; j < d->n; j++)
+            if (!d->root[j].done && !take_step(d, j)) return 0;
     }
 }
