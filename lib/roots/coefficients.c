@@ -11,6 +11,21 @@
 #include "decide.h"
 #include "exact_walk.h"
 
+algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
+    int zero = 1, exact = 1;
+    for (int k = 0; k <= p->degree; k++) {
+        double r = p->r ? p->r[k] : 0;
+        if (!isfinite(p->c[k]) || !isfinite(r)) return ALGSURF_E_NOT_FINITE;
+        if (r < 0) return ALGSURF_E_ARGUMENT;
+        zero = zero && p->c[k] == 0;
+        exact = exact && r == 0;
+    }
+    if (exact) p->r = NULL;
+    if (zero && exact) return ALGSURF_E_ZERO;
+    while (p->c[p->degree] == 0 && !(p->r && p->r[p->degree] > 0)) p->degree--;
+    return ALGSURF_OK;
+}
+
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
     int common = -(1 << 20); /* below all: (degree + 1) times a subnormal's exponent is -551,000 */
     for (int k = 0; k <= p->degree; k++) {
@@ -84,13 +99,6 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     return done;
 }
 
-/* Do the polynomials within the radii differ? */
-static int has_radii(const algsurf_i_coefficients *p) {
-    for (int k = 0; p->r && k <= p->degree; k++)
-        if (p->r[k] > 0) return 1;
-    return 0;
-}
-
 /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
 static ALGSURF_NOINLINE algsurf_i_bounded scaled_value(const algsurf_i_coefficients *p, double x) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
@@ -109,5 +117,5 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     if (!(fabs(y.value) > y.bound)) y = scaled_value(p, x);
     if (fabs(y.value) > y.bound) return y.value > 0 ? 1 : -1;
     algsurf_i_value exact;
-    return !has_radii(p) && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
+    return !p->r && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
 }

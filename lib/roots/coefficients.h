@@ -9,12 +9,9 @@ typedef struct algsurf_i_coefficients {
     int degree;
 } algsurf_i_coefficients;
 
-/* Exact ones: doubles c or, if that is null, integers z. */
-typedef struct algsurf_i_given {
-    const double *c;
-    const algsurf_integer *z;
-    int degree;
-} algsurf_i_given;
+/* OK, if all are finite, no radius is negative and p is not zero: leading zeros have gone then, and radii
+ * that are all 0; E_NOT_FINITE, E_ARGUMENT, or E_ZERO, if there is nothing but zeros. */
+algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p);
 
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);

@@ -46,30 +46,31 @@ static algsurf_status walk(algsurf_exact_walk *walk, algsurf_real_root *roots, i
     return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_decide(const algsurf_i_given *given, double lo, double hi, int refined,
-                                algsurf_real_root *roots, int capacity, int *count,
-                                const algsurf_i_watch *watch) {
+algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *roots, int capacity,
+                                int *count) {
+    const algsurf_i_watch *watch = line->watch;
+    const double *c = line->p.c;
     algsurf_i_watch scaled;
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
     algsurf_exact_walk exact;
-    int unit = given->c ? unit_of(lo, hi) : 0,
-        refine = refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
+    int unit = c ? unit_of(line->lo, line->hi) : 0,
+        refine = line->refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     *count = 0;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (given->c ? algsurf_exact_from_doubles(&memory, given->c, given->degree, unit, &p)
-                 : algsurf_i_from_integers(&memory, given->z, given->degree, &p)) {
+    if (c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
+          : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p)) {
         if (watch && p.degree > 0) {
             scaled = *watch;
-            scaled.exponent -= scale_of(&p, given->c, unit);
+            scaled.exponent -= scale_of(&p, c, unit);
             watch = &scaled;
         }
         if (p.degree < 1)
             status = ALGSURF_OK;
-        else if (algsurf_exact_begin(&exact, &memory, &p, unit, lo, hi, refine, watch))
+        else if (algsurf_exact_begin(&exact, &memory, &p, unit, line->lo, line->hi, refine, watch))
             status = walk(&exact, roots, capacity, count);
     }
     algsurf_memory_release(&memory, begin);

@@ -7,9 +7,10 @@
 
 enum { ALGSURF_I_ALL, ALGSURF_I_FIRST, ALGSURF_I_NUMBER };
 
-/* What is asked: of p, not zero throughout, the roots in [lo,hi], lo <= hi, ends infinite or not. */
+/* What is asked: of p, exact and checked, the roots in [lo,hi], lo <= hi, ends infinite or not. */
 typedef struct algsurf_i_line {
-    algsurf_i_given p;
+    algsurf_i_coefficients p;
+    const algsurf_integer *z; /* not null: these are the coefficients, and p.c is null */
     double lo, hi;
     int wanted;                   /* all; the first; or how many, without places, on the whole line */
     int refined;                  /* 1: between neighbouring doubles; 0: isolated, multiple ones refined */

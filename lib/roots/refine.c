@@ -125,11 +125,11 @@ static void balance(algsurf_i_polynomial *p, double *room) {
 /* Does a root lie between neighbouring doubles?  Signs tell nothing of two roots, nor of a double one. */
 static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
     const algsurf_i_watch watch = {.observer = p->observer};
+    const algsurf_i_line line = {
+        .p = p->given, .lo = lo, .hi = hi, .refined = 1, .watch = p->observer ? &watch : NULL};
     algsurf_real_root root;
     int count;
-    const algsurf_i_given given = {p->given.c, NULL, p->given.degree};
-    algsurf_status status =
-        algsurf_i_decide(&given, lo, hi, 1, &root, 1, &count, p->observer ? &watch : NULL);
+    algsurf_status status = algsurf_i_decide(&line, &root, 1, &count);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -191,17 +191,12 @@ static algsurf_status check_ends(double lo, double hi, int method) {
     return lo <= hi ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-/* Are they as the header wants them?  Radii that are all 0 are none; leading zeros are left out. */
+/* The zero polynomial is one like others here; without radii, so are leading zeros. */
 static algsurf_status check_coefficients(algsurf_i_coefficients *p) {
-    int has_radii = 0;
-    for (int k = 0; k <= p->degree; k++) {
-        if (!isfinite(p->c[k]) || (p->r && !isfinite(p->r[k]))) return ALGSURF_E_NOT_FINITE;
-        if (p->r && p->r[k] < 0) return ALGSURF_E_ARGUMENT;
-        has_radii = has_radii || (p->r && p->r[k] > 0);
-    }
-    if (!has_radii) p->r = NULL;
-    while (p->r && p->c[p->degree] == 0 && p->r[p->degree] == 0) p->degree--;
-    return ALGSURF_OK;
+    int degree = p->degree;
+    algsurf_status status = algsurf_i_check_coefficients(p);
+    if (!p->r) p->degree = degree;
+    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
 static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, double lo, double hi,
