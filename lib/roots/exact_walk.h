@@ -69,13 +69,13 @@ typedef struct algsurf_exact_walk {
     int asked;                 /* 1: p is squarefree, or parts are there */
     int parts;                 /* 0: p itself is walked; else members of s */
     algsurf_zpoly *s;          /* s[0] is walked */
-    int passed, skip;          /* roots so far; of those to be passed over again */
+    int given, skip;           /* roots so far; of those to be passed over again */
     algsurf_exact_cells cells; /* of the piece */
     int used_up;               /* the cell's root has been reported */
+    int before;                /* the sign of what is walked before its last simple root */
     /* from discs */
     algsurf_i_root_on_axis *listed;         /* null: not asked for; else the roots, */
     int list_length, next;                  /* how many, -1: not known; the next one, */
-    int before;                             /* the sign before the last one */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
 } algsurf_exact_walk;
 
@@ -128,12 +128,17 @@ enum {
 };
 int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece);
 
-/* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to
- * doubles. */
-int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
-/* The same from root->place, an interval with one root of f, which has the sign `before` at its left end. */
-int algsurf_exact_refine_place(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
-                               algsurf_exact_root *root);
+/* exact_refine.c: the sign of p at a or b of a place. */
+int algsurf_exact_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
+                          const algsurf_limb *end, int *sign);
+/* Halves an interval, `before` being the sign just right of a; the middle may be found to be the root. */
+int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int before);
+/* lo, hi and t as the place tells them. */
+void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root);
+/* From the cell with one root of f, whose ends may be other roots, to its place, and as follows. */
+int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
+/* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for. */
+int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
