@@ -10,6 +10,7 @@
 #include "brackets_template.h"
 #include "first_template.h"
 #include "good_template.h"
+#include "settle_template.h"
 
 /* Of polynomials: more cells than polynomials may wait. */
 #define BATCH_OF(n) (POLYS_OF(n) / 2)
@@ -104,7 +105,10 @@ static void solve_all(const algsurf_i_polys_job *job, size_t count) {
         solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->degree);
 }
 
-const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {
-    .solve = solve_polys, .solve_all = solve_all, .good = good_polys};
+const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {.solve = solve_polys,
+                                                        .solve_all = solve_all,
+                                                        .good = good_polys,
+                                                        .single = KERNEL(algsurf_i_roots_single),
+                                                        .settle = settle_roots};
 
 #endif

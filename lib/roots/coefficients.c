@@ -90,8 +90,7 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     for (int k = 0; k <= p->degree; k++)
         if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
     if (low == ALGSURF_Z_NO_BIT) low = 0;
-    algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
     int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
                exact_step(&memory, &q, N, odd ? -e : 0, value);
     value->exponent += low;

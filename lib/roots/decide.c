@@ -58,8 +58,7 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
     int unit = c ? unit_of(line->lo, line->hi) : 0,
         refine = line->refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     *count = 0;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
           : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p)) {
@@ -119,10 +118,8 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     int unit = unit_of(lo, hi);
     *count = 0;
     if (p->degree < 1 || lo == HUGE_VAL || hi == -HUGE_VAL) return ALGSURF_OK;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    size_t words = (size_t)capacity * (sizeof(algsurf_exact_range) / sizeof(algsurf_limb));
-    algsurf_exact_range *found = (algsurf_exact_range *)(void *)algsurf_memory_take(&memory, words);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_exact_range *found = algsurf_i_take(&memory, (size_t)capacity * sizeof *found);
     int done =
         found && in_integers(&memory, p, unit, &centre, &radius) &&
         algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, watch);
@@ -135,8 +132,7 @@ algsurf_status algsurf_i_decide_sign(const algsurf_i_coefficients *p, double x, 
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly centre, radius;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = in_integers(&memory, p, 0, &centre, &radius) &&
                algsurf_exact_radii_sign(&memory, &centre, &radius, 0, x, sign);
     algsurf_memory_release(&memory, begin);

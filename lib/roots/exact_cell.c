@@ -201,9 +201,8 @@ void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
 
 int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
                               const algsurf_i_watch *watch) {
-    size_t words = (size_t)room * ((sizeof *cells->waiting + 7) / 8);
     *cells = (algsurf_exact_cells){.memory = m, .room = room, .watch = watch};
-    cells->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
+    cells->waiting = algsurf_i_take(m, (size_t)room * sizeof *cells->waiting);
     return cells->waiting != NULL;
 }
 
@@ -244,8 +243,7 @@ int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exac
     algsurf_memory memory; /* of its own: watching leaves the walk's as it is */
     int width, r, n = cell->b.degree;
     signed char signs[ALGSURF_MAX_POLY_DEGREE + 1];
-    algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = algsurf_exact_cell_ends(&memory, cell, &cells->piece, cells->unit, &a, &b, &width, &r);
     for (int j = 0; j <= n; j++) signs[j] = (signed char)algsurf_exact_sign(cell, j);
     if (done) {

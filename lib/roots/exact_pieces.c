@@ -116,8 +116,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
     double nearest = fmin(fabs(lo), fabs(hi)), farthest = fmax(fabs(lo), fabs(hi));
     *s = (algsurf_exact_pieces){.degree = p->degree, .unit = unit, .lo = lo, .hi = hi};
     if (isfinite(farthest) && !(lo <= 0 && hi >= 0) && nearest > 0x1p-6 * farthest) return 1;
-    size_t words = ((size_t)p->degree + 1) * (sizeof *s->size / sizeof(algsurf_limb));
-    s->size = (algsurf_exact_size *)(void *)algsurf_memory_take(m, words);
+    s->size = algsurf_i_take(m, ((size_t)p->degree + 1) * sizeof *s->size);
     if (!s->size) return 0;
     for (int k = 0; k <= p->degree; k++) {
         const algsurf_limb *c = algsurf_zpoly_at(p, k);

@@ -40,8 +40,7 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
     if (!algsurf_zpoly_gcd_degree(m, &walk->p, NULL, 2, &degree)) return -1;
     if (degree == 0) return 0;
     algsurf_memory_release(m, walk->bottom);
-    size_t words = (size_t)(walk->p.degree + 1) * ((sizeof *walk->s + 7) / 8);
-    walk->s = (algsurf_zpoly *)(void *)algsurf_memory_take(m, words);
+    walk->s = algsurf_i_take(m, (size_t)(walk->p.degree + 1) * sizeof *walk->s);
     if (!walk->s || !algsurf_zpoly_multiplicities(m, &walk->p, walk->s, &parts)) return -1;
     walk->parts = parts;
     walk->bottom = walk->top = algsurf_memory_here(m);

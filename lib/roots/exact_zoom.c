@@ -148,7 +148,7 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
 int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done) {
     int n = cell->b.degree;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    double *b = (double *)(void *)algsurf_memory_take(m, 3 * (size_t)(n + 1));
+    double *b = algsurf_i_take(m, 3 * (size_t)(n + 1) * sizeof *b);
     double lead = 0, x = 0, bound = (3 * n + 6) * 0x1p-52;
     *done = 0;
     if (!b) return 0;

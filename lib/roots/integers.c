@@ -56,8 +56,7 @@ int algsurf_i_integers_round(const algsurf_i_line *line, double *c, double *r, i
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly z;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = line->p.degree <= ALGSURF_MAX_DEGREE &&
                algsurf_i_from_integers(&memory, line->z, line->p.degree, &z) && round_all(&z, c, r);
     if (done) *degree = z.degree;
@@ -71,8 +70,7 @@ int algsurf_i_integers_close_in(const algsurf_i_line *line, const algsurf_bracke
     algsurf_memory memory;
     algsurf_zpoly z;
     int i = 0;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     if (algsurf_i_from_integers(&memory, line->z, line->p.degree, &z))
         while (i < count && roots[i].multiplicity && close_in(&memory, &z, b + i, roots[i].root, roots + i))
             i++;

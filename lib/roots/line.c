@@ -79,7 +79,7 @@ static void settle_brackets(const algsurf_i_coefficients *p, const algsurf_brack
     double most = ldexp(1, 400 / p->degree), largest = 0;
     for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
     int fits = largest <= 0x1p401 && (count == 0 || (b[0].lo >= -most && b[count - 1].hi <= most));
-    if (fits) algsurf_i_roots_settle_fastest()(&middle, b, count, roots);
+    if (fits) algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL))->settle(&middle, b, count, roots);
     for (int i = 0; i < count && !fits; i++) roots[i].multiplicity = 0;
 }
 

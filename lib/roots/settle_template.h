@@ -65,8 +65,8 @@ INLINE void approach_roots(const double *c, int n, settling *s) {
     }
 }
 
-void KERNEL(algsurf_i_roots_settle)(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                                    algsurf_real_root *roots) {
+static void settle_roots(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                         algsurf_real_root *roots) {
     double lo[LANES], hi[LANES], side[LANES], value[LANES];
     for (int at = 0; at < count; at += LANES) {
         int some = count - at < LANES ? count - at : LANES;

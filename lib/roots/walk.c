@@ -143,7 +143,8 @@ static int walk_piece(task *t, double from, double to, int halvings) {
     double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
     if (lo >= hi || most == 0) return 1;
     if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
-    int done = algsurf_i_roots_single_fastest()(t->p, lo, hi, most, t->b + t->count, &found, t->watch);
+    const algsurf_i_roots_kernel *kernel = algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL));
+    int done = kernel->single(t->p, lo, hi, most, t->b + t->count, &found, t->watch);
     t->count += found;
     if (done || halvings == 0 || t->p->r) return done;
     double rest = found ? t->b[t->count - 1].hi : lo, middle = 0.5 * rest + 0.5 * hi;
