@@ -1,7 +1,7 @@
 /* brackets_template.h - the roots in the brackets of a block (block_template.h).
  *
- * Halley's method on the power basis about the middle of the interval, beginning where the control polygon
- * crosses zero.
+ * Halley's method (Traub, Iterative Methods for the Solution of Equations, 1964) on the power basis about the
+ * middle of the interval, beginning where the control polygon crosses zero.
  *
  * Error.  A value at v is off by at most noise = (5n + 1) u S (centred_template.h), where S may be taken as
  * sum |c_k| (|m| + h |v|)^k.  A root is off by noise / |p'|, where this is below BLURRED: as |p''| <= n^2 S,
@@ -15,13 +15,53 @@
 #include "../simd/lanes.h"
 #include "block_template.h"
 #include "enclose_template.h"
-#include "halley_template.h"
 #include "polys.h"
 
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
 #define BLURRED 0x1p-39         /* 0.91e-12 of the interval: errors of roots that are left to double-double */
+
+/* Longer ones do not tell what the next will be; the interval has length 2. */
+#define SHORT_ROOT_STEP 0x1p-10
+
+/* A polynomial between its bracket and its root. */
+typedef struct approach {
+    lanes x, begin, end, last, slope;
+    mask moving, stuck;
+} approach;
+
+/* Halley's step, kept to the bracket and to at least half of Newton's; moving lanes are those that need
+ * another one.  The errors shrink with the third power, by a factor that the last two steps tell, or by the
+ * square of bend / slope if that is more: so is known how long it would be.  After many, values below `noise`
+ * end it. */
+INLINE void halley(approach *a, const lanes *d, int n, lanes noise, double tolerance, int many) {
+    lanes f = d[n], slope = all_lanes(0), bend = slope;
+    for (int i = n - 1; i >= 0; i--) {
+        bend = bend * a->x + slope;
+        slope = slope * a->x + f;
+        f = f * a->x + d[i];
+    }
+    mask before = ~negative((words)f); /* the root is further right */
+    a->begin = choose(before, a->x, a->begin);
+    a->end = choose(before, a->end, a->x);
+    lanes newton = slope * slope, below = newton - f * bend, next = a->x - f * slope / below;
+    mask sound = at_most(absolute(below), 2 * newton); /* not so where p' is 0 */
+    sound &= at_most(a->begin, next) & at_most(next, a->end);
+    next = choose(sound, next, 0.5 * (a->begin + a->end));
+    lanes step = absolute(next - a->x), cube = step * step * step, last = a->last;
+    a->x = choose(a->moving, next, a->x);
+    a->last = step;
+    mask close = sound & at_most(step, all_lanes(SHORT_ROOT_STEP)) & at_most(4 * step, last) &
+                 at_most(cube * step, tolerance * last * last * last) &
+                 at_most(4 * cube * bend * bend, tolerance * newton);
+    a->slope = choose(a->moving, slope, a->slope);
+    a->moving &= ~close;
+    if (many) {
+        a->stuck |= a->moving & at_most(absolute(f), noise);
+        a->moving &= ~a->stuck;
+    }
+}
 
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
 INLINE lanes part_at(const algsurf_i_polys_job *job, size_t at, const int *id, lanes x, int n) {
@@ -83,7 +123,7 @@ APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block
     FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
-/* What certain_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
+/* What enclose_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
  * so |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.  The ends of a cell as doubles, middle + half v,
  * are off by 4 u M: points nearer to them than 2^-50 M are not used, but where the end is the interval's. */
 INLINE void begin_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,

@@ -1,14 +1,13 @@
 /* coefficients.c - sizes and signs of a caller's polynomial: compensated values where their bounds tell, else
  * integers. */
 #include "../base/arithmetic.h"
-#include "coefficients.h"
 
 #include <math.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
-#include "decide.h"
+#include "line.h"
 #include "exact_walk.h"
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
@@ -90,7 +89,8 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     for (int k = 0; k <= p->degree; k++)
         if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
     if (low == ALGSURF_Z_NO_BIT) low = 0;
-    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin =
+        algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
     int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
                exact_step(&memory, &q, N, odd ? -e : 0, value);
     value->exponent += low;

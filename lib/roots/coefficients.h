@@ -1,7 +1,12 @@
 /* coefficients.h - a polynomial as a caller gives it. */
 #ifndef ALGSURF_COEFFICIENTS_H
 #define ALGSURF_COEFFICIENTS_H
+#include <stddef.h>
+
 #include "algsurf/isolate.h"
+
+/* What deciding one polynomial may allocate, in bytes. */
+#define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
 /* c[0] + ... + c[degree] t^degree, not zero; with radii r, or null, for all polynomials within them. */
 typedef struct algsurf_i_coefficients {

@@ -1,7 +1,7 @@
 /* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact_walk.c and
  * exact_radii.c over them. */
 #include "../base/arithmetic.h"
-#include "decide.h"
+#include "line.h"
 
 #include <math.h>
 #include <stdlib.h>

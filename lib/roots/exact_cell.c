@@ -8,11 +8,11 @@
  * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
  * half goes on top of its right half, and what has no root is given back at once. */
 #include "../base/arithmetic.h"
-#include "exact_cell.h"
+#include "exact_walk.h"
 
 #include <math.h>
 
-#include "decide.h"
+#include "line.h"
 
 /* Room for the cell's numbers in these widths, at the top of the stack. */
 static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {

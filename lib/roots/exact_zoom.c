@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "algsurf/status.h"
-#include "exact_cell.h"
+#include "exact_walk.h"
 #include "../base/elementary.h"
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */

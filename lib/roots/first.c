@@ -13,10 +13,8 @@
 
 #include "algsurf/isolate.h"
 #include "../base/fpenv.h"
-#include "coefficients.h"
-#include "decide.h"
-#include "polys.h"
 #include "line.h"
+#include "polys.h"
 #include "../base/options.h"
 #include "../poly/table.h"
 

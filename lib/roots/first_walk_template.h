@@ -12,7 +12,7 @@
 #ifndef KNOWN_DEGREES /* code for known degrees where each coefficient has its radius: see degrees.h */
 #define KNOWN_DEGREES 0
 #endif
-#define SHORT_STEP 0x1p-14   /* of an iteration: longer ones do not tell what is missing */
+#define SHORT_STEP 0x1p-14 /* of an iteration: longer ones do not tell what is missing */
 
 /* What is known of LANES polynomials, and what was found. */
 typedef struct packet {

@@ -8,9 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "decide.h"
+#include "line.h"
 #include "exact_walk.h"
-#include "integers.h"
 
 enum { STACK_WORDS = 1024, MOST_SPREAD = 900, FEW = 4 };
 

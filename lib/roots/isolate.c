@@ -13,9 +13,7 @@
 #include "../base/fpenv.h"
 #include "../base/integer.h"
 #include "../base/options.h"
-#include "decide.h"
 #include "line.h"
-#include "walk.h"
 
 static int has_shape(const algsurf_i_line *line) {
     return (line->p.c || line->z) && line->p.degree >= 0 && line->p.degree <= ALGSURF_MAX_POLY_DEGREE &&

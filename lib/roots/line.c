@@ -23,14 +23,9 @@
 #include "../base/fpenv.h"
 #include "../complex/boxes.h"
 #include "../poly/value.h"
-#include "decide.h"
 #include "exact_walk.h"
-#include "integers.h"
 #include "polys.h"
-#include "low.h"
-#include "power.h"
 #include "refine_impl.h"
-#include "walk.h"
 
 /* ---- roots that are final ---- */
 

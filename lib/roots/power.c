@@ -11,14 +11,12 @@
  * That A and B are neighbours does not make a and b neighbours: subnormal numbers are far apart for their
  * size, and between their roots are many doubles. */
 #include "../base/arithmetic.h"
-#include "power.h"
+#include "line.h"
 
 #include <math.h>
 #include <stddef.h>
 
 #include "../base/eft.h"
-#include "coefficients.h"
-#include "walk.h"
 #include "../base/elementary.h"
 
 /* A root of q by its size, and of p: 0 <= lo < root < hi, or lo = root = hi.  side: -1 below 0. */

@@ -13,9 +13,8 @@
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
-#include "decide.h"
+#include "line.h"
 #include "refine_impl.h"
-#include "search.h"
 
 /* ---- what both entries share ---- */
 

@@ -37,4 +37,30 @@ double algsurf_i_polynomial_unscaled(const algsurf_i_polynomial *p, double y);
 /* The scaled value at t (data: the polynomial), finite or not, with its certain sign; 0 for a root only. */
 double algsurf_i_polynomial_certain(double t, void *data);
 
+/* ---- search.c: the bracket that all refinement methods share, and the methods ---- */
+
+/* b is the best end, the one with the smaller |f|; c the other, f(b) f(c) <= 0; a the b before (Brent's
+ * letters). */
+typedef struct algsurf_i_search {
+    algsurf_function f;
+    void *data;
+    double tolerance; /* wanted half width of the bracket, without the rounding part */
+    double rounding;  /* that, relative to b */
+    int max_iterations;
+    double a, b, c, fa, fb, fc;
+    double x, fx; /* the newest point */
+    int evaluations, iterations;
+    int nan, settled; /* f returned NaN; the method itself decided to stop */
+} algsurf_i_search;
+
+/* Values at both ends; the newest point is hi.  Do the signs differ, or is one of them zero? */
+int algsurf_i_search_begin(algsurf_i_search *s, double lo, double hi);
+
+/* Until the bracket is narrow enough.
+ *   newton  null: the default method is Brent's; else it is Newton's, guarded, and *newton is its step from
+ *           s->x, -f/f', written whenever f is called.  The bracket is as sure as the signs of f. */
+void algsurf_i_search_run(algsurf_i_search *s, int method, const double *newton);
+
+algsurf_status algsurf_i_search_finish(const algsurf_i_search *s, algsurf_refined_root *result);
+
 #endif

@@ -22,7 +22,7 @@
  * remain.  So H <= 3 + 72, and no more than 246 points.
  */
 #include "../base/arithmetic.h"
-#include "search.h"
+#include "refine_impl.h"
 
 #include <float.h>
 #include <math.h>

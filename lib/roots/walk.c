@@ -10,7 +10,7 @@
  * Pieces.  In the piece about 0 no term is more than SPREAD digits larger than c_0; further out, pieces are
  * annuli, some of which have no root since one term is larger than all those of the other sign. */
 #include "../base/arithmetic.h"
-#include "walk.h"
+#include "line.h"
 
 #include <float.h>
 #include <math.h>
