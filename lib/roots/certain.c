@@ -29,13 +29,8 @@ void algsurf_i_polynomial_scale(algsurf_i_polynomial *p, double farthest, double
     for (int k = 0; k <= n; k++) largest = fmax(largest, fabs(p->c[k]));
     int modest = largest < 0x1p401 && largest > 0x1p-401 && n * (abs(unit) + 1) <= MODEST;
     if (largest == 0 || modest) return;
-    int common = algsurf_i_common_exponent(&p->given, unit);
     p->unit = unit;
-    p->exponent = -common;
-    for (int k = 0; k <= n; k++) {
-        c[k] = ldexp(p->given.c[k], k * unit - common);
-        r[k] = fabs(c[k]) < DBL_MIN && p->given.c[k] != 0 ? 0x1p-1074 : 0;
-    }
+    p->exponent = -algsurf_i_scale(&p->given, unit, c, r);
     p->c = c;
     p->r = r;
 }

@@ -3,12 +3,32 @@
 #include "../base/arithmetic.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
 #include "line.h"
 #include "exact_walk.h"
+
+int64_t algsurf_i_number_of(double x) {
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits >= 0 ? bits : -(bits & INT64_MAX);
+}
+
+double algsurf_i_double_of(int64_t number) {
+    int64_t bits = number >= 0 ? number : -number;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return number >= 0 ? x : -x;
+}
+
+double algsurf_i_between(double lo, double hi) {
+    int64_t from = algsurf_i_number_of(lo);
+    uint64_t doubles = (uint64_t)algsurf_i_number_of(hi) - (uint64_t)from;
+    return algsurf_i_double_of(from + (int64_t)((doubles + 1) / 2));
+}
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
     int zero = 1, exact = 1;
@@ -30,6 +50,16 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
     for (int k = 0; k <= p->degree; k++) {
         double a = fmax(fabs(p->c[k]), p->r ? p->r[k] : 0);
         if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
+    }
+    return common;
+}
+
+int algsurf_i_scale(const algsurf_i_coefficients *p, int unit, double *c, double *r) {
+    int common = algsurf_i_common_exponent(p, unit);
+    for (int k = 0; k <= p->degree; k++) {
+        int shift = k * unit - common;
+        c[k] = ldexp(p->c[k], shift);
+        r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
     }
     return common;
 }
@@ -101,12 +131,8 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
 /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
 static ALGSURF_NOINLINE algsurf_i_bounded scaled_value(const algsurf_i_coefficients *p, double x) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
-    int unit = x == 0 ? 0 : ilogb(x), common = algsurf_i_common_exponent(p, unit);
-    for (int k = 0; k <= p->degree; k++) {
-        int shift = k * unit - common;
-        c[k] = ldexp(p->c[k], shift);
-        r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
-    }
+    int unit = x == 0 ? 0 : ilogb(x);
+    (void)algsurf_i_scale(p, unit, c, r);
     return algsurf_i_compensated(c, r, p->degree, ldexp(x, -unit));
 }
 

@@ -18,8 +18,18 @@ typedef struct algsurf_i_coefficients {
  * that are all 0; E_NOT_FINITE, E_ARGUMENT, or E_ZERO, if there is nothing but zeros. */
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p);
 
+/* Doubles in their order: neighbours' numbers differ by 1, and 0 has number 0. */
+int64_t algsurf_i_number_of(double x);
+double algsurf_i_double_of(int64_t number);
+/* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
+double algsurf_i_between(double lo, double hi);
+
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);
+
+/* p(2^unit u) 2^-common, the largest coefficient between 1 and 2: returns common.  r: the radii, and what
+ * underflow may have lost. */
+int algsurf_i_scale(const algsurf_i_coefficients *p, int unit, double *c, double *r);
 
 /* An exponent e so that all roots are below 2^e; above 1023 where there is none. */
 int algsurf_i_root_bound(const algsurf_i_coefficients *p);

@@ -185,7 +185,7 @@ static int times_index(algsurf_memory *memory, const algsurf_zpoly *f, int m, in
 /* Of the doubles in [lo,hi] on one side of 0 the middle one. */
 static double middle_of(double lo, double hi) {
     if (lo <= 0 && hi >= 0) return lo + 0.5 * (hi - lo);
-    double middle = algsurf_exact_between(lo, hi);
+    double middle = algsurf_i_between(lo, hi);
     return isinf(middle) ? lo : middle;
 }
 

@@ -20,23 +20,8 @@ int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit,
     return algsurf_zpoly_sign_at(m, f, &N, 1, odd ? unit - e : 0, sign, value, exponent);
 }
 
-#define SIGN_BIT ((uint64_t)1 << 63)
-uint64_t algsurf_exact_order_of(double x) {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits & SIGN_BIT ? SIGN_BIT - (bits - SIGN_BIT) : SIGN_BIT + bits;
-}
-double algsurf_exact_double_at(uint64_t order) {
-    uint64_t bits = order < SIGN_BIT ? SIGN_BIT + (SIGN_BIT - order) : order - SIGN_BIT;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
 static uint64_t doubles_between(double lo, double hi) {
-    return algsurf_exact_order_of(hi) - algsurf_exact_order_of(lo);
-}
-double algsurf_exact_between(double lo, double hi) {
-    return algsurf_exact_double_at(algsurf_exact_order_of(lo) + (doubles_between(lo, hi) + 1) / 2);
+    return (uint64_t)algsurf_i_number_of(hi) - (uint64_t)algsurf_i_number_of(lo);
 }
 static double next_up(double x) { return nextafter(x, HUGE_VAL); }
 static double next_down(double x) { return nextafter(x, -HUGE_VAL); }
@@ -114,7 +99,7 @@ static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double gue
     for (int round = 0; doubles_between(lo->t, hi->t) > 1; round++) {
         uint64_t width = doubles_between(lo->t, hi->t);
         if (slow >= 3 || isnan(x)) {
-            x = algsurf_exact_double_at(algsurf_exact_order_of(lo->t) + width / 2);
+            x = algsurf_i_double_of(algsurf_i_number_of(lo->t) + (int64_t)(width / 2));
             slow = 0;
         }
         if (!(x > lo->t)) x = next_up(lo->t);

@@ -20,6 +20,7 @@
 #include "algsurf/isolate.h"
 #include "../complex/discs.h"
 #include "../poly/integral.h"
+#include "coefficients.h"
 #include "watch.h"
 
 /* A part of the line: u' in [at, at + 2^length), t = 2^unit u'; 0 <= length <= 5. */
@@ -217,9 +218,4 @@ int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit,
                             double *value, int *exponent);
 /* decide.c: a polynomial from a caller's integers; returns 0 without memory. */
 int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p);
-/* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
-uint64_t algsurf_exact_order_of(double x);
-double algsurf_exact_double_at(uint64_t order);
-/* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
-double algsurf_exact_between(double lo, double hi);
 #endif

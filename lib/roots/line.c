@@ -39,12 +39,12 @@ static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
                : hi;
 }
 
-static int is_final(const algsurf_real_root *r) { return !(algsurf_exact_between(r->lo, r->hi) < r->hi); }
+static int is_final(const algsurf_real_root *r) { return !(algsurf_i_between(r->lo, r->hi) < r->hi); }
 
 /* A root at which p changes its sign, and no other one is in (lo,hi): to neighbours.  0: no memory. */
 static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     double between;
-    while ((between = algsurf_exact_between(r->lo, r->hi)) < r->hi) {
+    while ((between = algsurf_i_between(r->lo, r->hi)) < r->hi) {
         int sign = algsurf_i_sign_at(p, between);
         if (sign == ALGSURF_SIGN_UNKNOWN) return 0;
         if (sign != -r->sign) r->lo = between;
