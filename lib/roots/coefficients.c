@@ -3,32 +3,12 @@
 #include "../base/arithmetic.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
 #include "line.h"
 #include "exact_walk.h"
-
-int64_t algsurf_i_number_of(double x) {
-    int64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits >= 0 ? bits : -(bits & INT64_MAX);
-}
-
-double algsurf_i_double_of(int64_t number) {
-    int64_t bits = number >= 0 ? number : -number;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return number >= 0 ? x : -x;
-}
-
-double algsurf_i_between(double lo, double hi) {
-    int64_t from = algsurf_i_number_of(lo);
-    uint64_t doubles = (uint64_t)algsurf_i_number_of(hi) - (uint64_t)from;
-    return algsurf_i_double_of(from + (int64_t)((doubles + 1) / 2));
-}
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
     int zero = 1, exact = 1;
@@ -112,12 +92,10 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     algsurf_limb block[512];
     algsurf_memory memory;
     algsurf_zpoly q;
-    int e, low = ALGSURF_Z_NO_BIT;
+    int e, low = algsurf_exact_least_bit(p->c, p->degree, 0);
     algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
     *value = (algsurf_i_value){0};
     if (vanishes_plainly(p, x)) return 1;
-    for (int k = 0; k <= p->degree; k++)
-        if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
     if (low == ALGSURF_Z_NO_BIT) low = 0;
     algsurf_memory_mark begin =
         algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);

@@ -2,6 +2,7 @@
 #ifndef ALGSURF_COEFFICIENTS_H
 #define ALGSURF_COEFFICIENTS_H
 #include <stddef.h>
+#include <string.h>
 
 #include "algsurf/isolate.h"
 
@@ -19,10 +20,25 @@ typedef struct algsurf_i_coefficients {
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p);
 
 /* Doubles in their order: neighbours' numbers differ by 1, and 0 has number 0. */
-int64_t algsurf_i_number_of(double x);
-double algsurf_i_double_of(int64_t number);
+static inline int64_t algsurf_i_number_of(double x) {
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits >= 0 ? bits : -(bits & INT64_MAX);
+}
+
+static inline double algsurf_i_double_of(int64_t number) {
+    int64_t bits = number >= 0 ? number : -number;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return number >= 0 ? x : -x;
+}
+
 /* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
-double algsurf_i_between(double lo, double hi);
+static inline double algsurf_i_between(double lo, double hi) {
+    int64_t from = algsurf_i_number_of(lo);
+    uint64_t doubles = (uint64_t)algsurf_i_number_of(hi) - (uint64_t)from;
+    return algsurf_i_double_of(from + (int64_t)((doubles + 1) / 2));
+}
 
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);

@@ -82,12 +82,9 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
  * coefficients. */
 static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int unit, algsurf_zpoly *centre,
                        algsurf_zpoly *radius) {
-    int least = ALGSURF_Z_NO_BIT;
-    for (int k = 0; k <= p->degree; k++) {
-        int low = algsurf_exact_low_bit(p->c[k]), low_radius = algsurf_exact_low_bit(p->r[k]);
-        if (low != ALGSURF_Z_NO_BIT && low + k * unit < least) least = low + k * unit;
-        if (low_radius != ALGSURF_Z_NO_BIT && low_radius + k * unit < least) least = low_radius + k * unit;
-    }
+    int least = algsurf_exact_least_bit(p->c, p->degree, unit),
+        of_radii = algsurf_exact_least_bit(p->r, p->degree, unit);
+    if (of_radii < least) least = of_radii;
     return algsurf_exact_from_doubles_above(m, p->c, p->degree, unit, least, centre) &&
            algsurf_exact_from_doubles_above(m, p->r, p->degree, unit, least, radius);
 }

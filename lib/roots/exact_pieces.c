@@ -38,9 +38,11 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     }
 }
 
-int algsurf_exact_low_bit(double x) {
-    int e;
-    return algsurf_z_odd_part(x, &e) ? e : ALGSURF_Z_NO_BIT;
+int algsurf_exact_least_bit(const double *c, int degree, int unit) {
+    int least = ALGSURF_Z_NO_BIT;
+    for (int k = 0, e; k <= degree; k++)
+        if (algsurf_z_odd_part(c[k], &e) && e + k * unit < least) least = e + k * unit;
+    return least;
 }
 
 int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
@@ -56,11 +58,7 @@ int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int deg
 }
 
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
-    int least = ALGSURF_Z_NO_BIT;
-    for (int k = 0; k <= degree; k++) {
-        int low = algsurf_exact_low_bit(c[k]);
-        if (low != ALGSURF_Z_NO_BIT && low + k * unit < least) least = low + k * unit;
-    }
+    int least = algsurf_exact_least_bit(c, degree, unit);
     return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
 }
 

@@ -121,25 +121,19 @@ static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double gue
     return 1;
 }
 
-/* A double as a place, N 2^-r in the walk's unit. */
-static int set_point(algsurf_exact_walk *walk, double t, algsurf_exact_place *place) {
-    int e;
-    algsurf_limb odd = algsurf_z_odd_part(t, &e), *N = algsurf_memory_take(walk->memory, 1);
-    if (!N) return 0;
-    *N = t < 0 ? 0 - odd : odd;
-    *place = (algsurf_exact_place){place->of, N, NULL, 1, odd ? walk->unit - e : 0};
-    return 1;
-}
-
-/* Two neighbouring doubles as a place. */
-static int set_neighbours(algsurf_exact_walk *walk, double lo, double hi, algsurf_exact_place *place) {
-    int e = ilogb(hi - lo);
+/* Two neighbouring doubles as a place, or one that is the root. */
+static int set_doubles(algsurf_exact_walk *walk, double lo, double hi, algsurf_exact_place *place) {
+    int e = 0;
     algsurf_limb *N = algsurf_memory_take(walk->memory, 4);
     if (!N) return 0;
+    if (lo < hi)
+        e = ilogb(hi - lo);
+    else
+        (void)algsurf_z_odd_part(lo, &e);
     algsurf_z_zero(N, 4);
     algsurf_z_add_double(N, 2, lo, -e);
     algsurf_z_add_double(N + 2, 2, hi, -e);
-    *place = (algsurf_exact_place){place->of, N, N + 2, 2, walk->unit - e};
+    *place = (algsurf_exact_place){place->of, N, lo < hi ? N + 2 : NULL, 2, walk->unit - e};
     return 1;
 }
 
@@ -219,8 +213,7 @@ static int to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     root->t = outside                      ? (lo.t < first ? root->hi : root->lo)
               : fabs(ratio(&lo, &hi)) <= 1 ? root->lo
                                            : root->hi;
-    if (lo.t == hi.t) return set_point(walk, lo.t + 0.0, place);
-    return outside ? 1 : set_neighbours(walk, root->lo, root->hi, place);
+    return outside || set_doubles(walk, root->lo, root->hi, place);
 }
 
 /* Is the place, as it is, what the walk was asked for? */

@@ -120,8 +120,8 @@ int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, i
 /* The same with k given: k = -least, no coefficient c_j 2^(j unit) having bits below 2^least. */
 int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
                                      algsurf_zpoly *p);
-/* The exponent of the last bit that is set in x, ALGSURF_Z_NO_BIT for 0. */
-int algsurf_exact_low_bit(double x);
+/* The exponent of the last bit that is set in any c_j 2^(j unit), ALGSURF_Z_NO_BIT where there is none. */
+int algsurf_exact_least_bit(const double *c, int degree, int unit);
 
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  Memory is taken until algsurf_exact_end.  Returns 0 when

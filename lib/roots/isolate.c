@@ -47,23 +47,23 @@ static ALGSURF_NOINLINE algsurf_status find(algsurf_i_line *line, algsurf_real_r
     return ALGSURF_OK;
 }
 
-static algsurf_status refine(algsurf_i_line line, algsurf_real_root *roots, int capacity, int *count) {
+static algsurf_status refine(algsurf_i_line *line, algsurf_real_root *roots, int capacity, int *count) {
     algsurf_status status;
     if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    ALGSURF_STANDARD(status = find(&line, roots, capacity, count));
+    ALGSURF_STANDARD(status = find(line, roots, capacity, count));
     return status;
 }
 
 algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi, algsurf_real_root *roots,
                                   int capacity, int *count) {
-    const algsurf_i_line line = {.p = {c, NULL, degree}, .lo = lo, .hi = hi, .refined = 1};
-    return refine(line, roots, capacity, count);
+    algsurf_i_line line = {.p = {c, NULL, degree}, .lo = lo, .hi = hi, .refined = 1};
+    return refine(&line, roots, capacity, count);
 }
 
 algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                            algsurf_real_root *roots, int capacity, int *count) {
-    const algsurf_i_line line = {.p = {NULL, NULL, degree}, .z = c, .lo = lo, .hi = hi, .refined = 1};
-    return refine(line, roots, capacity, count);
+    algsurf_i_line line = {.p = {NULL, NULL, degree}, .z = c, .lo = lo, .hi = hi, .refined = 1};
+    return refine(&line, roots, capacity, count);
 }
 
 /* ---- isolated ---- */
