@@ -1,6 +1,6 @@
 /* brackets_template.h - the roots in the brackets of a block (block_template.h).
  *
- * Halley's method (Traub, Iterative Methods for the Solution of Equations, 1964) on the power basis about the
+ * Halley's method on the power basis about the
  * middle of the interval, beginning where the control polygon crosses zero.
  *
  * Error.  A value at v is off by at most noise = (5n + 1) u S (centred_template.h), where S may be taken as
@@ -21,47 +21,6 @@
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
 #define BLURRED 0x1p-39         /* 0.91e-12 of the interval: errors of roots that are left to double-double */
-
-/* Longer ones do not tell what the next will be; the interval has length 2. */
-#define SHORT_ROOT_STEP 0x1p-10
-
-/* A polynomial between its bracket and its root. */
-typedef struct approach {
-    lanes x, begin, end, last, slope;
-    mask moving, stuck;
-} approach;
-
-/* Halley's step, kept to the bracket and to at least half of Newton's; moving lanes are those that need
- * another one.  The errors shrink with the third power, by a factor that the last two steps tell, or by the
- * square of bend / slope if that is more: so is known how long it would be.  After many, values below `noise`
- * end it. */
-INLINE void halley(approach *a, const lanes *d, int n, lanes noise, double tolerance, int many) {
-    lanes f = d[n], slope = all_lanes(0), bend = slope;
-    for (int i = n - 1; i >= 0; i--) {
-        bend = bend * a->x + slope;
-        slope = slope * a->x + f;
-        f = f * a->x + d[i];
-    }
-    mask before = ~negative((words)f); /* the root is further right */
-    a->begin = choose(before, a->x, a->begin);
-    a->end = choose(before, a->end, a->x);
-    lanes newton = slope * slope, below = newton - f * bend, next = a->x - f * slope / below;
-    mask sound = at_most(absolute(below), 2 * newton); /* not so where p' is 0 */
-    sound &= at_most(a->begin, next) & at_most(next, a->end);
-    next = choose(sound, next, 0.5 * (a->begin + a->end));
-    lanes step = absolute(next - a->x), cube = step * step * step, last = a->last;
-    a->x = choose(a->moving, next, a->x);
-    a->last = step;
-    mask close = sound & at_most(step, all_lanes(SHORT_ROOT_STEP)) & at_most(4 * step, last) &
-                 at_most(cube * step, tolerance * last * last * last) &
-                 at_most(4 * cube * bend * bend, tolerance * newton);
-    a->slope = choose(a->moving, slope, a->slope);
-    a->moving &= ~close;
-    if (many) {
-        a->stuck |= a->moving & at_most(absolute(f), noise);
-        a->moving &= ~a->stuck;
-    }
-}
 
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
 INLINE lanes part_at(const algsurf_i_polys_job *job, size_t at, const int *id, lanes x, int n) {
@@ -110,7 +69,7 @@ INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *bl
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();
         for (int w = 0; w < to->packets; w++) {
-            halley(a + w, d[w], n, to->noise[w], tolerance, round >= MANY_ROUNDS);
+            halley(a + w, d[w], n, all_lanes(1), tolerance, to->noise[w], round >= MANY_ROUNDS);
             moving |= a[w].moving;
         }
         if (!any(moving)) break;

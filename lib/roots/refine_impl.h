@@ -1,9 +1,8 @@
-/* refine_impl.h - refinement, called inside the library; and the certain values of a polynomial. */
+/* refine_impl.h - refinement, called inside the library. */
 #ifndef ALGSURF_REFINE_IMPL_H
 #define ALGSURF_REFINE_IMPL_H
 #include "algsurf/refine.h"
 #include "coefficients.h"
-#include "watch.h"
 
 /* As algsurf_refine_poly with no options, for a bracket that is one. */
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
@@ -15,27 +14,6 @@ algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double 
 algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const double *newton, double lo,
                                          double hi, const algsurf_refine_options *options,
                                          algsurf_refined_root *result);
-
-/* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */
-typedef struct algsurf_i_polynomial {
-    algsurf_i_coefficients given; /* the caller's, without radii */
-    const double *c, *r;          /* r: what scaling may have lost, or null */
-    int unit, exponent;
-    double newton; /* Newton's step at the last point: from algsurf_i_polynomial_certain */
-    int no_memory; /* a value could not be told, and is NaN */
-    algsurf_function inner;
-    int engine;                 /* that found the last value: set to the doubles' by who asks */
-    algsurf_observer *observer; /* null: nobody looks */
-} algsurf_i_polynomial;
-
-/* Scales p, with unit and exponent 0, for |t| <= farthest, into c and r if there is need. */
-void algsurf_i_polynomial_scale(algsurf_i_polynomial *p, double farthest, double *c, double *r);
-
-/* p from a scaled value; what is not zero stays so. */
-double algsurf_i_polynomial_unscaled(const algsurf_i_polynomial *p, double y);
-
-/* The scaled value at t (data: the polynomial), finite or not, with its certain sign; 0 for a root only. */
-double algsurf_i_polynomial_certain(double t, void *data);
 
 /* ---- search.c: the bracket that all refinement methods share, and the methods ---- */
 
