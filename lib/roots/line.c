@@ -39,8 +39,6 @@ static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
                : hi;
 }
 
-static int is_final(const algsurf_real_root *r) { return !(algsurf_i_between(r->lo, r->hi) < r->hi); }
-
 /* A root at which p changes its sign, and no other one is in (lo,hi): to neighbours.  0: no memory. */
 static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     double between;
@@ -56,7 +54,7 @@ static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
 /* The same from farther away. */
 static int make_final(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     algsurf_refined_root found;
-    if (!is_final(r)) {
+    if (algsurf_i_between(r->lo, r->hi) < r->hi) {
         if (algsurf_i_refine_bracket(p, r->lo, r->hi, &found) != ALGSURF_OK) return 0;
         r->lo = found.lo, r->hi = found.hi;
         if (!halve(p, r)) return 0;
@@ -67,29 +65,21 @@ static int make_final(const algsurf_i_coefficients *p, algsurf_real_root *r) {
 
 /* ---- doubles, integers ---- */
 
-/* Simple roots in brackets side by side, where nothing can overflow; multiplicity 0: not known. */
-static void settle_brackets(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                            algsurf_real_root *roots) {
-    const algsurf_i_coefficients middle = {p->c, NULL, p->degree};
+/* Simple roots in brackets side by side, where nothing can overflow; multiplicity 0: still there. */
+static void settle_brackets(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
     double most = ldexp(1, 400 / p->degree), largest = 0;
     for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
-    int fits = largest <= 0x1p401 && (count == 0 || (b[0].lo >= -most && b[count - 1].hi <= most));
-    if (fits) algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL))->settle(&middle, b, count, roots);
+    int fits = largest <= 0x1p401 && (count == 0 || (roots[0].lo >= -most && roots[count - 1].hi <= most));
+    if (fits) algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL))->settle(p, roots, count);
     for (int i = 0; i < count && !fits; i++) roots[i].multiplicity = 0;
 }
 
-static algsurf_real_root root_of(const algsurf_bracket *b) {
-    return (algsurf_real_root){b->lo, b->lo, b->hi, 1, b->sign};
-}
-
 /* Roots in brackets of certain signs, refined; returns how many of them, from the first on. */
-static int take_refined(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                        algsurf_real_root *roots) {
-    settle_brackets(p, b, count, roots);
+static int refine_brackets(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
+    settle_brackets(p, roots, count);
     for (int i = 0; i < count; i++) {
-        if (roots[i].multiplicity) continue;
-        roots[i] = root_of(b + i);
-        if (!make_final(p, roots + i)) return i;
+        if (!roots[i].multiplicity && !make_final(p, roots + i)) return i;
+        roots[i].multiplicity = 1;
     }
     return count;
 }
@@ -97,11 +87,11 @@ static int take_refined(const algsurf_i_coefficients *p, const algsurf_bracket *
 /* What doubles have isolated becomes roots, as asked for; returns how many of them, from the first on. */
 static int take_brackets(const algsurf_i_line *line, const algsurf_i_coefficients *p,
                          const algsurf_bracket *b, int count, algsurf_real_root *roots) {
-    if (line->refined && !line->z) return take_refined(p, b, count, roots);
-    if (line->refined) settle_brackets(p, b, count, roots);
-    if (line->refined) return algsurf_i_integers_close_in(line, b, count, roots);
-    for (int i = 0; i < count; i++) roots[i] = root_of(b + i);
-    return count;
+    for (int i = 0; i < count; i++) roots[i] = (algsurf_real_root){b[i].lo, b[i].lo, b[i].hi, 1, b[i].sign};
+    if (!line->refined) return count;
+    if (!line->z) return refine_brackets(p, roots, count);
+    settle_brackets(p, roots, count);
+    return algsurf_i_integers_close_in(line, b, count, roots);
 }
 
 /* ---- all at once ---- */
@@ -128,14 +118,12 @@ static int all_roots(const algsurf_i_line *line, int level, algsurf_real_root *a
 
 /* Boxes are nearly final; what formulas tell is settled like brackets. */
 static int refine_all(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
-    algsurf_bracket b[2];
+    if (p->degree <= 2) return refine_brackets(p, roots, count) == count;
     for (int i = 0; i < count; i++) {
-        if (p->degree > 2 && !halve(p, roots + i)) return 0;
-        if (p->degree > 2) roots[i].root = nearer(p, roots[i].lo, roots[i].hi);
-        if (p->degree <= 2)
-            b[i] = (algsurf_bracket){.lo = roots[i].lo, .hi = roots[i].hi, .sign = roots[i].sign};
+        if (!halve(p, roots + i)) return 0;
+        roots[i].root = nearer(p, roots[i].lo, roots[i].hi);
     }
-    return p->degree > 2 || take_refined(p, b, count, roots) == count;
+    return 1;
 }
 
 /* The roots that are asked for; returns 0 where they are not to be had so. */

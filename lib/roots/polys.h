@@ -44,10 +44,9 @@ typedef struct algsurf_i_roots_kernel {
     /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; the answers are not touched. */
     int (*good)(const algsurf_i_polys_job *job, size_t count);
     algsurf_i_roots_single *single;
-    /* The roots in `count` brackets of p, each simple and alone there, as algsurf_real_root; multiplicity 0:
-     * not known.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
-    void (*settle)(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                   algsurf_real_root *roots);
+    /* Roots of p, each simple and alone in (lo,hi), with the sign before it, become final; multiplicity 0:
+     * one that stays.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
+    void (*settle)(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count);
 } algsurf_i_roots_kernel;
 
 ALGSURF_KERNEL_TABLES(roots);

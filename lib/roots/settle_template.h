@@ -40,24 +40,27 @@ INLINE lanes approach_roots(const double *c, int n, words side, lanes lo, lanes 
     return a.x;
 }
 
-static void settle_roots(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                         algsurf_real_root *roots) {
+static void settle_roots(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
     double lo[LANES], hi[LANES], side[LANES], value[LANES];
     for (int at = 0; at < count; at += LANES) {
         int some = count - at < LANES ? count - at : LANES;
         enclosure e;
         for (int l = 0; l < LANES; l++) {
-            const algsurf_bracket *one = b + at + (l < some ? l : 0);
+            const algsurf_real_root *one = roots + at + (l < some ? l : 0);
             lo[l] = one->lo, hi[l] = one->hi, side[l] = one->sign;
         }
-        lanes x =
-            approach_roots(p->c, p->degree, (words)load(side) & (words)all_lanes(-0.0), load(lo), load(hi));
-        begin_enclosure(&e, load(lo), load(hi), x, ~no_lane());
+        lanes from = load(lo), to = load(hi);
+        words before = (words)load(side) & (words)all_lanes(-0.0);
+        begin_enclosure(&e, from, to, approach_roots(p->c, p->degree, before, from, to), ~no_lane());
         for (int k = 0; k < MOST_POINTS && any(e.open); k++) newton(&e, (terms){p->c, NULL}, p->degree);
         store(lo, smaller(e.before, e.t)), store(hi, larger(e.before, e.t)), store(value, e.value);
-        for (int l = 0; l < some; l++)
-            roots[at + l] =
-                (algsurf_real_root){value[l], lo[l], hi[l], bits(e.found) >> l & 1, b[at + l].sign};
+        for (int l = 0; l < some; l++) {
+            algsurf_real_root *one = roots + at + l;
+            if (bits(e.found) >> l & 1)
+                *one = (algsurf_real_root){value[l], lo[l], hi[l], 1, one->sign};
+            else
+                one->multiplicity = 0;
+        }
     }
 }
 
