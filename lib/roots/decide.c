@@ -37,15 +37,6 @@ static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
     return ilogb(lead) + e - ilogb(c[n]) - n * unit;
 }
 
-static algsurf_status walk(algsurf_exact_walk *walk, algsurf_real_root *roots, int capacity, int *count) {
-    algsurf_exact_root root;
-    int found = ALGSURF_EXACT_END;
-    while (*count < capacity && (found = algsurf_exact_next(walk, &root)) == ALGSURF_EXACT_ROOT)
-        roots[(*count)++] =
-            (algsurf_real_root){root.t, root.lo, root.hi, root.multiplicity, root.sign_before};
-    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
-}
-
 algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *roots, int capacity,
                                 int *count) {
     const algsurf_i_watch *watch = line->watch;
@@ -55,25 +46,26 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
     algsurf_memory memory;
     algsurf_zpoly p;
     algsurf_exact_walk exact;
-    int unit = c ? unit_of(line->lo, line->hi) : 0,
+    algsurf_exact_root root;
+    int unit = c ? unit_of(line->lo, line->hi) : 0, found = ALGSURF_EXACT_END,
         refine = line->refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     *count = 0;
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
-          : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p)) {
-        if (watch && p.degree > 0) {
+    int done = c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
+                 : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p);
+    if (done && p.degree > 0) {
+        if (watch) {
             scaled = *watch;
             scaled.exponent -= scale_of(&p, c, unit);
             watch = &scaled;
         }
-        if (p.degree < 1)
-            status = ALGSURF_OK;
-        else if (algsurf_exact_begin(&exact, &memory, &p, unit, line->lo, line->hi, refine, watch))
-            status = walk(&exact, roots, capacity, count);
+        done = algsurf_exact_begin(&exact, &memory, &p, unit, line->lo, line->hi, refine, watch);
+        while (done && *count < capacity && (found = algsurf_exact_next(&exact, &root)) == ALGSURF_EXACT_ROOT)
+            roots[(*count)++] =
+                (algsurf_real_root){root.t, root.lo, root.hi, root.multiplicity, root.sign_before};
     }
     algsurf_memory_release(&memory, begin);
-    return status;
+    return done && found != ALGSURF_EXACT_NO_MEMORY ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 /* ---- radii ---- */

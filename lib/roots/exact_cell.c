@@ -41,7 +41,7 @@ static int widen_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, in
     return 1;
 }
 
-static void strip(algsurf_exact_cell *cell) {
+void algsurf_exact_strip(algsurf_exact_cell *cell) {
     const algsurf_zpoly *b = &cell->b;
     int zeros = algsurf_zpoly_trailing(b);
     if (zeros > 0 && zeros < ALGSURF_Z_NO_BIT)
@@ -53,7 +53,7 @@ static void strip(algsurf_exact_cell *cell) {
 static int make_room(algsurf_memory *m, algsurf_exact_cell *cell, int bits) {
     int position_width = algsurf_z_width(cell->depth + cell->fine + 2), width = cell->b.width;
     if (algsurf_z_width(cell->bits + bits + 1) > width) {
-        strip(cell);
+        algsurf_exact_strip(cell);
         if (algsurf_z_width(cell->bits + bits + 1) > width) width = algsurf_z_width(cell->bits + bits + 1);
     }
     if (width == cell->b.width && position_width <= cell->position_width) return 1;

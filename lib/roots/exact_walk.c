@@ -152,12 +152,8 @@ static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 
 /* The root in the cell, which has one variation. */
 static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    const algsurf_zpoly *b = &walk->cells.cell.b;
     if (!algsurf_exact_refine_cell(walk, walked(walk), root)) return 0;
-    if (walk->parts) return 1;
-    root->multiplicity = 1;
-    for (int j = 0; root->sign_before == 0; j++)
-        root->sign_before = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
+    if (!walk->parts) root->multiplicity = 1, root->sign_before = walk->before;
     return 1;
 }
 

@@ -171,6 +171,8 @@ static inline int algsurf_exact_begins_with_root(const algsurf_exact_cell *cell)
     return !cell->left_done && algsurf_exact_sign(cell, 0) == 0;
 }
 
+/* Takes a common power of two out of the coefficients, and sets their bits. */
+void algsurf_exact_strip(algsurf_exact_cell *cell);
 int algsurf_exact_variations(const algsurf_exact_cell *cell);
 
 /* The bounds of a cell of the piece in u = 2^-unit t: N 2^-r, taken from memory. */

@@ -84,10 +84,8 @@ static int outer_is_clear(const double *b, int n, double *t, double x, int at_ri
 /* The new cell, last taken, to the place of the old one, with no more limbs than it needs; where one of them
  * began a new block of memory, both stay. */
 static int take_place(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *part) {
-    int n = part->b.degree, zeros = algsurf_zpoly_trailing(&part->b);
-    for (int j = 0; zeros > 0 && zeros < ALGSURF_Z_NO_BIT && j <= n; j++)
-        algsurf_z_shift_down(algsurf_zpoly_at(&part->b, j), part->b.width, zeros);
-    part->bits = algsurf_zpoly_bits(&part->b);
+    int n = part->b.degree;
+    algsurf_exact_strip(part);
     part->variations = algsurf_exact_variations(part);
     if (cell->begin.last == m->last && part->begin.last == m->last) {
         int width = algsurf_z_width(part->bits + n + 1);
