@@ -207,7 +207,7 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
         *count *= w.step % 2 ? 1 : 2;
         return 1;
     }
-    if (!algsurf_i_power_roots(&w, p->c, line->lo, line->hi, roots, count)) return 0;
+    if (!algsurf_i_power_roots(&w, p, line->lo, line->hi, roots, count)) return 0;
     for (int i = 0; line->refined && i < *count; i++)
         if (!make_final(p, roots + i)) return 0;
     if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;

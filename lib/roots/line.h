@@ -49,7 +49,7 @@ void algsurf_i_power_interval(const algsurf_i_power *w, double lo, double hi, do
 /* q's roots there, isolated or refined, *count of them, become brackets of p's roots in [lo,hi]; these need
  * not be final where q's are.  Returns 0, with roots lost, where q's are too wide for that: beside a multiple
  * root, or beyond the range of doubles.  Room for p's degree. */
-int algsurf_i_power_roots(const algsurf_i_power *w, const double *c, double lo, double hi,
+int algsurf_i_power_roots(const algsurf_i_power *w, const algsurf_i_coefficients *p, double lo, double hi,
                           algsurf_real_root *roots, int *count);
 
 /* ---- walk.c: roots in an interval by doubles; and where none can be ---- */

@@ -82,32 +82,28 @@ static double root_below(double y, int k) {
     return compare_power(x, k, y) == 0 ? x : nextafter(x, 0);
 }
 
-/* The sign of p at side x. */
-static int sign_at(const algsurf_i_power *w, const double *c, double x, int side) {
-    const algsurf_i_coefficients p = {c, NULL, w->step * w->degree};
-    return algsurf_i_sign_at(&p, side * x);
-}
-
 /* Ends near those of q's bracket. */
-static int take_roots_of_ends(const algsurf_i_power *w, const double *c, int side, algsurf_real_root *r) {
+static int take_roots_of_ends(const algsurf_i_power *w, const algsurf_i_coefficients *p, int side,
+                              algsurf_real_root *r) {
     int k = w->step;
     double a = algsurf_i_pow(r->lo, 1.0 / k) * (1 + 0x1p-48),
            b = algsurf_i_pow(r->hi, 1.0 / k) * (1 - 0x1p-48);
     if (!(a < b) || compare_power(a, k, r->lo) < 0 || compare_power(b, k, r->hi) > 0) return 0;
-    if (sign_at(w, c, a, side) != r->sign || sign_at(w, c, b, side) != -r->sign) return 0;
+    if (algsurf_i_sign_at(p, side * a) != r->sign || algsurf_i_sign_at(p, side * b) != -r->sign) return 0;
     r->lo = a;
     r->hi = b;
     return 1;
 }
 
-static int take_neighbours(const algsurf_i_power *w, const double *c, int side, algsurf_real_root *r) {
+static int take_neighbours(const algsurf_i_power *w, const algsurf_i_coefficients *p, int side,
+                           algsurf_real_root *r) {
     int k = w->step, exact = r->lo == r->hi;
     double a = root_above(r->lo, k), b = root_below(r->hi, k);
     r->lo = b;
     r->hi = a;
     if (a > b || exact) return 1;
     if (r->multiplicity % 2 == 0) return 0;
-    int at_a = sign_at(w, c, a, side), at_b = sign_at(w, c, b, side);
+    int at_a = algsurf_i_sign_at(p, side * a), at_b = algsurf_i_sign_at(p, side * b);
     if (at_a == 0 || at_b == 0) return 0;
     r->lo = at_a != r->sign ? nextafter(a, 0) : at_b == r->sign ? b : a;
     r->hi = at_a != r->sign ? a : at_b == r->sign ? nextafter(b, HUGE_VAL) : b;
@@ -123,28 +119,27 @@ static algsurf_real_root mirrored(const algsurf_real_root *b) {
 }
 
 /* q's root becomes p's on the same side of 0; 0: it cannot be told. */
-static int take_root(const algsurf_i_power *w, const double *c, algsurf_real_root *root) {
+static int take_root(const algsurf_i_power *w, const algsurf_i_coefficients *p, algsurf_real_root *root) {
     const algsurf_i_coefficients q = {w->q, NULL, w->degree};
     if (!algsurf_i_leave_zero(&q, root)) return 0;
     int side = root->hi <= 0 ? -1 : 1, simple = root->multiplicity % 2 && root->lo < root->hi;
     algsurf_real_root r = side < 0 ? mirrored(root) : *root;
     if (!(r.lo > 0 && isfinite(r.hi))) return 0;
-    if (!(simple && take_roots_of_ends(w, c, side, &r)) && !take_neighbours(w, c, side, &r)) return 0;
+    if (!(simple && take_roots_of_ends(w, p, side, &r)) && !take_neighbours(w, p, side, &r)) return 0;
     *root = side < 0 ? mirrored(&r) : r;
     return 1;
 }
 
-int algsurf_i_power_roots(const algsurf_i_power *w, const double *c, double lo, double hi,
+int algsurf_i_power_roots(const algsurf_i_power *w, const algsurf_i_coefficients *p, double lo, double hi,
                           algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients p = {c, NULL, w->step * w->degree};
     int n = *count, even = w->step % 2 == 0;
     for (int i = 0; i < n; i++)
-        if (!take_root(w, c, roots + i)) return 0;
+        if (!take_root(w, p, roots + i)) return 0;
     for (int i = n - 1; even && i >= 0; i--) roots[i + n] = roots[i];
     for (int i = 0; even && i < n; i++) roots[i] = mirrored(roots + 2 * n - 1 - i);
     n = even ? 2 * n : n;
     *count = 0;
     for (int i = 0; i < n; i++)
-        if (algsurf_i_is_inside(&p, lo, hi, roots + i)) roots[(*count)++] = roots[i];
+        if (algsurf_i_is_inside(p, lo, hi, roots + i)) roots[(*count)++] = roots[i];
     return 1;
 }
