@@ -7,7 +7,7 @@
  * coefficient lost, no room for it, limbs beyond the first left out, leading zeros taken for the degree.
  */
 #include "isolate_case.h"
-#include "roots/walk.h"
+#include "roots/line.h"
 
 static isolate_answer answer;
 

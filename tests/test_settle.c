@@ -14,8 +14,6 @@
 
 #define SEED 20261123u
 
-static algsurf_i_roots_settle *const kernels[ALGSURF_KERNELS] = ALGSURF_KERNEL_TABLE(algsurf_i_roots_settle);
-
 typedef struct tally {
     long roots, open;
 } tally;
@@ -34,7 +32,10 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
     memset(r, 0, sizeof r);
     memset(other, 0, sizeof other);
     for (int k = 0; (kernel = algsurf_i_kernel_at(k)); k++) {
-        kernels[kernel->index](&p, b, count, k == 0 ? r : other);
+        algsurf_real_root *to = k == 0 ? r : other;
+        for (int i = 0; i < count; i++)
+            to[i] = (algsurf_real_root){.lo = b[i].lo, .hi = b[i].hi, .multiplicity = 1, .sign = b[i].sign};
+        algsurf_i_roots_kernel_for(kernel)->settle(&p, to, count);
         for (int i = 0; k > 0 && i < count; i++) {
             int same = r[i].multiplicity == other[i].multiplicity &&
                        (!r[i].multiplicity || memcmp(&r[i], &other[i], sizeof *r) == 0);

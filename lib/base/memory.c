@@ -11,12 +11,13 @@ struct algsurf_memory_block {
 
 #define SMALLEST_BLOCK ((size_t)64 << 10) /* bytes */
 
-void algsurf_memory_begin(algsurf_memory *m, uint64_t *block, size_t words, size_t limit) {
+algsurf_memory_mark algsurf_memory_begin(algsurf_memory *m, uint64_t *block, size_t words, size_t limit) {
     m->at = block;
     m->end = block ? block + words : block;
     m->last = NULL;
     m->allocated = 0;
     m->limit = limit;
+    return algsurf_memory_here(m);
 }
 
 /* A block for `needed` bytes: doubled sizes make the number of blocks logarithmic; when the limit or the

@@ -22,11 +22,17 @@ typedef struct algsurf_memory_mark {
     algsurf_memory_block *last;
 } algsurf_memory_mark;
 
-/* A stack that begins with the caller's block of `words` words. */
-void algsurf_memory_begin(algsurf_memory *m, uint64_t *block, size_t words, size_t limit);
+/* A stack that begins with the caller's block of `words` words, and the mark of its beginning. */
+algsurf_memory_mark algsurf_memory_begin(algsurf_memory *m, uint64_t *block, size_t words, size_t limit);
+
 
 /* `words` >= 0 more words, not initialised; null when there is no memory, or the limit is reached. */
 uint64_t *algsurf_memory_take(algsurf_memory *m, size_t words);
+
+/* The same in bytes. */
+static inline void *algsurf_i_take(algsurf_memory *m, size_t bytes) {
+    return algsurf_memory_take(m, (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t));
+}
 
 algsurf_memory_mark algsurf_memory_here(const algsurf_memory *m);
 

@@ -63,10 +63,6 @@ typedef struct algsurf_i_discs {
 
 /* Functions that return int give 0 when there is no memory. */
 
-static inline void *algsurf_i_take(algsurf_memory *m, size_t bytes) {
-    return algsurf_memory_take(m, (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t));
-}
-
 /* ---- taylor.c ---- */
 
 /* r += floor(a 2^shift), for w limbs. */

@@ -1,7 +1,7 @@
 /* brackets_template.h - the roots in the brackets of a block (block_template.h).
  *
- * Halley's method on the power basis about the middle of the interval, beginning where the control polygon
- * crosses zero.
+ * Halley's method on the power basis about the
+ * middle of the interval, beginning where the control polygon crosses zero.
  *
  * Error.  A value at v is off by at most noise = (5n + 1) u S (centred_template.h), where S may be taken as
  * sum |c_k| (|m| + h |v|)^k.  A root is off by noise / |p'|, where this is below BLURRED: as |p''| <= n^2 S,
@@ -15,7 +15,6 @@
 #include "../simd/lanes.h"
 #include "block_template.h"
 #include "enclose_template.h"
-#include "halley_template.h"
 #include "polys.h"
 
 #define LEAST_ROOT_STEP 0x1p-52
@@ -70,7 +69,7 @@ INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *bl
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();
         for (int w = 0; w < to->packets; w++) {
-            halley(a + w, d[w], n, to->noise[w], tolerance, round >= MANY_ROUNDS);
+            halley(a + w, d[w], n, all_lanes(1), tolerance, to->noise[w], round >= MANY_ROUNDS);
             moving |= a[w].moving;
         }
         if (!any(moving)) break;
@@ -83,7 +82,7 @@ APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block
     FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
-/* What certain_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
+/* What enclose_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
  * so |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.  The ends of a cell as doubles, middle + half v,
  * are off by 4 u M: points nearer to them than 2^-50 M are not used, but where the end is the interval's. */
 INLINE void begin_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,

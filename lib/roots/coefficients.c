@@ -1,21 +1,45 @@
 /* coefficients.c - sizes and signs of a caller's polynomial: compensated values where their bounds tell, else
  * integers. */
 #include "../base/arithmetic.h"
-#include "coefficients.h"
 
 #include <math.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
-#include "decide.h"
+#include "line.h"
 #include "exact_walk.h"
+
+algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
+    int zero = 1, exact = 1;
+    for (int k = 0; k <= p->degree; k++) {
+        double r = p->r ? p->r[k] : 0;
+        if (!isfinite(p->c[k]) || !isfinite(r)) return ALGSURF_E_NOT_FINITE;
+        if (r < 0) return ALGSURF_E_ARGUMENT;
+        zero = zero && p->c[k] == 0;
+        exact = exact && r == 0;
+    }
+    if (exact) p->r = NULL;
+    if (zero && exact) return ALGSURF_E_ZERO;
+    while (p->c[p->degree] == 0 && !(p->r && p->r[p->degree] > 0)) p->degree--;
+    return ALGSURF_OK;
+}
 
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
     int common = -(1 << 20); /* below all: (degree + 1) times a subnormal's exponent is -551,000 */
     for (int k = 0; k <= p->degree; k++) {
         double a = fmax(fabs(p->c[k]), p->r ? p->r[k] : 0);
         if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
+    }
+    return common;
+}
+
+int algsurf_i_scale(const algsurf_i_coefficients *p, int unit, double *c, double *r) {
+    int common = algsurf_i_common_exponent(p, unit);
+    for (int k = 0; k <= p->degree; k++) {
+        int shift = k * unit - common;
+        c[k] = ldexp(p->c[k], shift);
+        r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
     }
     return common;
 }
@@ -68,15 +92,13 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     algsurf_limb block[512];
     algsurf_memory memory;
     algsurf_zpoly q;
-    int e, low = ALGSURF_Z_NO_BIT;
+    int e, low = algsurf_exact_least_bit(p->c, p->degree, 0);
     algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
     *value = (algsurf_i_value){0};
     if (vanishes_plainly(p, x)) return 1;
-    for (int k = 0; k <= p->degree; k++)
-        if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
     if (low == ALGSURF_Z_NO_BIT) low = 0;
-    algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin =
+        algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
     int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
                exact_step(&memory, &q, N, odd ? -e : 0, value);
     value->exponent += low;
@@ -84,22 +106,11 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     return done;
 }
 
-/* Do the polynomials within the radii differ? */
-static int has_radii(const algsurf_i_coefficients *p) {
-    for (int k = 0; p->r && k <= p->degree; k++)
-        if (p->r[k] > 0) return 1;
-    return 0;
-}
-
 /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
 static ALGSURF_NOINLINE algsurf_i_bounded scaled_value(const algsurf_i_coefficients *p, double x) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
-    int unit = x == 0 ? 0 : ilogb(x), common = algsurf_i_common_exponent(p, unit);
-    for (int k = 0; k <= p->degree; k++) {
-        int shift = k * unit - common;
-        c[k] = ldexp(p->c[k], shift);
-        r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
-    }
+    int unit = x == 0 ? 0 : ilogb(x);
+    (void)algsurf_i_scale(p, unit, c, r);
     return algsurf_i_compensated(c, r, p->degree, ldexp(x, -unit));
 }
 
@@ -109,5 +120,5 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     if (!(fabs(y.value) > y.bound)) y = scaled_value(p, x);
     if (fabs(y.value) > y.bound) return y.value > 0 ? 1 : -1;
     algsurf_i_value exact;
-    return !has_radii(p) && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
+    return !p->r && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
 }

@@ -1,7 +1,7 @@
 /* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact_walk.c and
  * exact_radii.c over them. */
 #include "../base/arithmetic.h"
-#include "decide.h"
+#include "line.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -37,43 +37,35 @@ static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
     return ilogb(lead) + e - ilogb(c[n]) - n * unit;
 }
 
-static algsurf_status walk(algsurf_exact_walk *walk, algsurf_real_root *roots, int capacity, int *count) {
-    algsurf_exact_root root;
-    int found = ALGSURF_EXACT_END;
-    while (*count < capacity && (found = algsurf_exact_next(walk, &root)) == ALGSURF_EXACT_ROOT)
-        roots[(*count)++] =
-            (algsurf_real_root){root.t, root.lo, root.hi, root.multiplicity, root.sign_before};
-    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
-}
-
-algsurf_status algsurf_i_decide(const algsurf_i_given *given, double lo, double hi, int refined,
-                                algsurf_real_root *roots, int capacity, int *count,
-                                const algsurf_i_watch *watch) {
+algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *roots, int capacity,
+                                int *count) {
+    const algsurf_i_watch *watch = line->watch;
+    const double *c = line->p.c;
     algsurf_i_watch scaled;
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
     algsurf_exact_walk exact;
-    int unit = given->c ? unit_of(lo, hi) : 0,
-        refine = refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
+    algsurf_exact_root root;
+    int unit = c ? unit_of(line->lo, line->hi) : 0, found = ALGSURF_EXACT_END,
+        refine = line->refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     *count = 0;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (given->c ? algsurf_exact_from_doubles(&memory, given->c, given->degree, unit, &p)
-                 : algsurf_i_from_integers(&memory, given->z, given->degree, &p)) {
-        if (watch && p.degree > 0) {
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    int done = c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
+                 : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p);
+    if (done && p.degree > 0) {
+        if (watch) {
             scaled = *watch;
-            scaled.exponent -= scale_of(&p, given->c, unit);
+            scaled.exponent -= scale_of(&p, c, unit);
             watch = &scaled;
         }
-        if (p.degree < 1)
-            status = ALGSURF_OK;
-        else if (algsurf_exact_begin(&exact, &memory, &p, unit, lo, hi, refine, watch))
-            status = walk(&exact, roots, capacity, count);
+        done = algsurf_exact_begin(&exact, &memory, &p, unit, line->lo, line->hi, refine, watch);
+        while (done && *count < capacity && (found = algsurf_exact_next(&exact, &root)) == ALGSURF_EXACT_ROOT)
+            roots[(*count)++] =
+                (algsurf_real_root){root.t, root.lo, root.hi, root.multiplicity, root.sign_before};
     }
     algsurf_memory_release(&memory, begin);
-    return status;
+    return done && found != ALGSURF_EXACT_NO_MEMORY ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 /* ---- radii ---- */
@@ -82,12 +74,9 @@ algsurf_status algsurf_i_decide(const algsurf_i_given *given, double lo, double 
  * coefficients. */
 static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int unit, algsurf_zpoly *centre,
                        algsurf_zpoly *radius) {
-    int least = ALGSURF_Z_NO_BIT;
-    for (int k = 0; k <= p->degree; k++) {
-        int low = algsurf_exact_low_bit(p->c[k]), low_radius = algsurf_exact_low_bit(p->r[k]);
-        if (low != ALGSURF_Z_NO_BIT && low + k * unit < least) least = low + k * unit;
-        if (low_radius != ALGSURF_Z_NO_BIT && low_radius + k * unit < least) least = low_radius + k * unit;
-    }
+    int least = algsurf_exact_least_bit(p->c, p->degree, unit),
+        of_radii = algsurf_exact_least_bit(p->r, p->degree, unit);
+    if (of_radii < least) least = of_radii;
     return algsurf_exact_from_doubles_above(m, p->c, p->degree, unit, least, centre) &&
            algsurf_exact_from_doubles_above(m, p->r, p->degree, unit, least, radius);
 }
@@ -118,10 +107,8 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     int unit = unit_of(lo, hi);
     *count = 0;
     if (p->degree < 1 || lo == HUGE_VAL || hi == -HUGE_VAL) return ALGSURF_OK;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    size_t words = (size_t)capacity * (sizeof(algsurf_exact_range) / sizeof(algsurf_limb));
-    algsurf_exact_range *found = (algsurf_exact_range *)(void *)algsurf_memory_take(&memory, words);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_exact_range *found = algsurf_i_take(&memory, (size_t)capacity * sizeof *found);
     int done =
         found && in_integers(&memory, p, unit, &centre, &radius) &&
         algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, watch);
@@ -134,8 +121,7 @@ algsurf_status algsurf_i_decide_sign(const algsurf_i_coefficients *p, double x, 
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly centre, radius;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = in_integers(&memory, p, 0, &centre, &radius) &&
                algsurf_exact_radii_sign(&memory, &centre, &radius, 0, x, sign);
     algsurf_memory_release(&memory, begin);

@@ -8,11 +8,11 @@
  * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
  * half goes on top of its right half, and what has no root is given back at once. */
 #include "../base/arithmetic.h"
-#include "exact_cell.h"
+#include "exact_walk.h"
 
 #include <math.h>
 
-#include "decide.h"
+#include "line.h"
 
 /* Room for the cell's numbers in these widths, at the top of the stack. */
 static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
@@ -41,7 +41,7 @@ static int widen_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, in
     return 1;
 }
 
-static void strip(algsurf_exact_cell *cell) {
+void algsurf_exact_strip(algsurf_exact_cell *cell) {
     const algsurf_zpoly *b = &cell->b;
     int zeros = algsurf_zpoly_trailing(b);
     if (zeros > 0 && zeros < ALGSURF_Z_NO_BIT)
@@ -53,7 +53,7 @@ static void strip(algsurf_exact_cell *cell) {
 static int make_room(algsurf_memory *m, algsurf_exact_cell *cell, int bits) {
     int position_width = algsurf_z_width(cell->depth + cell->fine + 2), width = cell->b.width;
     if (algsurf_z_width(cell->bits + bits + 1) > width) {
-        strip(cell);
+        algsurf_exact_strip(cell);
         if (algsurf_z_width(cell->bits + bits + 1) > width) width = algsurf_z_width(cell->bits + bits + 1);
     }
     if (width == cell->b.width && position_width <= cell->position_width) return 1;
@@ -201,9 +201,8 @@ void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
 
 int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
                               const algsurf_i_watch *watch) {
-    size_t words = (size_t)room * ((sizeof *cells->waiting + 7) / 8);
     *cells = (algsurf_exact_cells){.memory = m, .room = room, .watch = watch};
-    cells->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
+    cells->waiting = algsurf_i_take(m, (size_t)room * sizeof *cells->waiting);
     return cells->waiting != NULL;
 }
 
@@ -244,8 +243,7 @@ int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exac
     algsurf_memory memory; /* of its own: watching leaves the walk's as it is */
     int width, r, n = cell->b.degree;
     signed char signs[ALGSURF_MAX_POLY_DEGREE + 1];
-    algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = algsurf_exact_cell_ends(&memory, cell, &cells->piece, cells->unit, &a, &b, &width, &r);
     for (int j = 0; j <= n; j++) signs[j] = (signed char)algsurf_exact_sign(cell, j);
     if (done) {

@@ -38,9 +38,11 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     }
 }
 
-int algsurf_exact_low_bit(double x) {
-    int e;
-    return algsurf_z_odd_part(x, &e) ? e : ALGSURF_Z_NO_BIT;
+int algsurf_exact_least_bit(const double *c, int degree, int unit) {
+    int least = ALGSURF_Z_NO_BIT;
+    for (int k = 0, e; k <= degree; k++)
+        if (algsurf_z_odd_part(c[k], &e) && e + k * unit < least) least = e + k * unit;
+    return least;
 }
 
 int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
@@ -56,11 +58,7 @@ int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int deg
 }
 
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
-    int least = ALGSURF_Z_NO_BIT;
-    for (int k = 0; k <= degree; k++) {
-        int low = algsurf_exact_low_bit(c[k]);
-        if (low != ALGSURF_Z_NO_BIT && low + k * unit < least) least = low + k * unit;
-    }
+    int least = algsurf_exact_least_bit(c, degree, unit);
     return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
 }
 
@@ -116,8 +114,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
     double nearest = fmin(fabs(lo), fabs(hi)), farthest = fmax(fabs(lo), fabs(hi));
     *s = (algsurf_exact_pieces){.degree = p->degree, .unit = unit, .lo = lo, .hi = hi};
     if (isfinite(farthest) && !(lo <= 0 && hi >= 0) && nearest > 0x1p-6 * farthest) return 1;
-    size_t words = ((size_t)p->degree + 1) * (sizeof *s->size / sizeof(algsurf_limb));
-    s->size = (algsurf_exact_size *)(void *)algsurf_memory_take(m, words);
+    s->size = algsurf_i_take(m, ((size_t)p->degree + 1) * sizeof *s->size);
     if (!s->size) return 0;
     for (int k = 0; k <= p->degree; k++) {
         const algsurf_limb *c = algsurf_zpoly_at(p, k);

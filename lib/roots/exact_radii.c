@@ -96,8 +96,7 @@ int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const al
 /* ---- hidden ranges ---- */
 
 static int take_ranges(algsurf_memory *m, int room, algsurf_exact_range **at) {
-    size_t words = (size_t)(room > 0 ? room : 1) * (sizeof **at / sizeof(algsurf_limb));
-    *at = (algsurf_exact_range *)(void *)algsurf_memory_take(m, words);
+    *at = algsurf_i_take(m, (size_t)(room > 0 ? room : 1) * sizeof **at);
     return *at != NULL;
 }
 
@@ -186,18 +185,26 @@ static int times_index(algsurf_memory *memory, const algsurf_zpoly *f, int m, in
 /* Of the doubles in [lo,hi] on one side of 0 the middle one. */
 static double middle_of(double lo, double hi) {
     if (lo <= 0 && hi >= 0) return lo + 0.5 * (hi - lo);
-    double middle = algsurf_exact_between(lo, hi);
+    double middle = algsurf_i_between(lo, hi);
     return isinf(middle) ? lo : middle;
 }
 
-/* f_k as mantissa and exponent. */
-static double part_of(const algsurf_zpoly *f, int k, int *e) {
-    *e = 0;
-    return k > f->degree ? 0 : fabs(algsurf_z_to_double(algsurf_zpoly_at(f, k), f->width, e));
+/* The least exponent above those of all |f_k| T^k, T below 2^exponent, and `top`. */
+static int top_of(const algsurf_zpoly *f, int exponent, int top) {
+    for (int k = 0; k <= f->degree; k++) {
+        int e = algsurf_z_bits(algsurf_zpoly_at(f, k), f->width) + 1 + k * exponent;
+        top = e > top ? e : top;
+    }
+    return top;
 }
 
-static void lift(int *top, double mantissa, int e) {
-    if (mantissa != 0 && e > *top) *top = e;
+/* |f_k| T^k in units of 2^top, T = mantissa 2^exponent. */
+static void set_terms(const algsurf_zpoly *f, int n, double mantissa, int exponent, int top, double *term) {
+    double power = 1;
+    for (int k = 0, e = 0; k <= n; k++, power *= mantissa) {
+        double c = k > f->degree ? 0 : algsurf_z_to_double(algsurf_zpoly_at(f, k), f->width, &e);
+        term[k] = ldexp(fabs(c) * power, e + k * exponent - top);
+    }
 }
 
 /* The best m at the middle c of [lo,hi], -1 for none, and whether it serves for all of [lo,hi], as doubles
@@ -209,50 +216,43 @@ static void lift(int *top, double mantissa, int e) {
 static int find_separating(const set *s, const algsurf_zpoly *slope, double lo, double hi, int *m,
                            int *clear) {
     algsurf_memory_mark mark = algsurf_memory_here(s->memory);
-    double v[3], power = 1, most = 1;
-    double T = fmax(fabs(lo), fabs(hi)), c = middle_of(lo, hi), w = isinf(T) ? HUGE_VAL : (hi - lo) / T;
-    double best = 0, sum = 0, total = 0, below = 0;
-    int n = degree_of(s), top = INT_MIN;
-    int about_zero = lo <= 0 && hi >= 0, e[3], ek, xc, xT, sign;
-    double fc = frexp(c, &xc), fT = frexp(isinf(T) ? fabs(c) : T, &xT);
-    double *at = (double *)(void *)algsurf_memory_take(s->memory, 2 * (size_t)(n + 1));
-    if (!at) return 0;
-    double *all = at + n + 1;
-    xc -= s->unit, xT -= s->unit;
-    for (int i = 0; i < 3; i++) { /* p, T p', T^2 p'' */
+    double v[3], far = 1, sum = 0, total = 0, below = 0, best = 0;
+    double T = fmax(fabs(lo), fabs(hi)), c = middle_of(lo, hi), x = c / T, w = (hi - lo) / T;
+    int n = degree_of(s), about_zero = lo <= 0 && hi >= 0, exponent, e, sign;
+    *clear = 0;
+    if (about_zero) *m = 0;
+    if (isinf(T)) return 1;
+    double mantissa = frexp(T, &exponent), power = 1;
+    double *radius = algsurf_i_take(s->memory, 3 * (size_t)(n + 1) * sizeof *radius);
+    if (!radius) return 0;
+    double *size = radius + n + 1, *at = size + n + 1;
+    exponent -= s->unit;
+    int top = top_of(&s->radius, exponent, top_of(&s->p, exponent, INT_MIN));
+    for (int i = 0; i < 3; i++, power *= mantissa) { /* p, T p', T^2 p'' */
         const algsurf_zpoly *f = i == 0 ? &s->p : slope + i - 1;
-        if (!algsurf_exact_at_double(s->memory, f, s->unit, c, &sign, v + i, e + i)) return 0;
-        lift(&top, v[i], e[i] += i * xT);
+        if (!algsurf_exact_at_double(s->memory, f, s->unit, c, &sign, v + i, &e)) return 0;
+        v[i] = ldexp(v[i] * power, e + i * exponent - top);
     }
-    for (int k = 0; k <= n; k++) {
-        double q = part_of(&s->p, k, &ek);
-        lift(&top, q, ek + k * xT);
-        q = part_of(&s->radius, k, &ek);
-        lift(&top, q, ek + k * xT);
-    }
-    for (int k = 0; k <= n; k++, power *= fabs(fc), most *= fT) {
-        double r = part_of(&s->radius, k, &ek);
-        total += at[k] = ldexp(r * power, ek + k * xc - top);
-        all[k] = ldexp(r * most, ek + k * xT - top);
-        r = part_of(&s->p, k, &ek);
-        all[k] += ldexp(k * w * (k * w) * (r * most), ek + k * xT - top);
+    set_terms(&s->radius, n, mantissa, exponent, top, radius);
+    set_terms(&s->p, n, mantissa, exponent, top, size);
+    for (int k = 0; k <= n; k++, far *= fabs(x)) {
+        at[k] = radius[k] * far;
+        total += at[k];
         sum += k * at[k];
     }
-    for (int i = 0; i < 3; i++) v[i] = ldexp(i == 2 ? v[2] * fT * fT : i == 1 ? v[1] * fT : v[0], e[i] - top);
-    double x = c / (isinf(T) ? fabs(c) : T);
-    if (about_zero) *m = 0;
-    for (int i = 0; i <= n && !about_zero && isfinite(T); i++) {
-        double margin = fabs(x * v[1] - i * v[0]) - sum; /* of |k - i| at_k */
-        if (i == 0 || margin > best) *m = margin > 0 ? i : -1, best = margin;
+    for (int i = 0; i <= n && !about_zero; i++) { /* sum: |k - i| at_k */
+        double margin = fabs(x * v[1] - i * v[0]) - sum;
+        *m = margin > best ? i : i == 0 ? -1 : *m;
+        best = fmax(best, margin);
         below += at[i];
         sum += 2 * below - total;
     }
     x = *m == 0 ? 1 : x;
-    double value = fabs(x * v[1] - *m * v[0]), tilt = *m == 0 ? v[2] : x * v[2] + (1 - *m) * v[1];
+    double tilt = *m == 0 ? v[2] : x * v[2] + (1 - *m) * v[1];
     sum = 0x1p-1000 + w * fabs(tilt);
-    for (int k = 0; k <= n; k++) sum += abs(k - *m) * all[k];
+    for (int k = 0; k <= n; k++) sum += abs(k - *m) * (radius[k] + k * w * (k * w) * size[k]);
     sum += 0x1p-48 * (fabs(v[1]) + *m * fabs(v[0]) + w * (fabs(v[2]) + *m * fabs(v[1])));
-    *clear = *m >= 0 && value > sum * (1 + 0x1p-40);
+    *clear = *m >= 0 && fabs(x * v[1] - *m * v[0]) > sum * (1 + 0x1p-40);
     algsurf_memory_release(s->memory, mark);
     return 1;
 }

@@ -20,23 +20,8 @@ int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit,
     return algsurf_zpoly_sign_at(m, f, &N, 1, odd ? unit - e : 0, sign, value, exponent);
 }
 
-#define SIGN_BIT ((uint64_t)1 << 63)
-uint64_t algsurf_exact_order_of(double x) {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits & SIGN_BIT ? SIGN_BIT - (bits - SIGN_BIT) : SIGN_BIT + bits;
-}
-double algsurf_exact_double_at(uint64_t order) {
-    uint64_t bits = order < SIGN_BIT ? SIGN_BIT + (SIGN_BIT - order) : order - SIGN_BIT;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
 static uint64_t doubles_between(double lo, double hi) {
-    return algsurf_exact_order_of(hi) - algsurf_exact_order_of(lo);
-}
-double algsurf_exact_between(double lo, double hi) {
-    return algsurf_exact_double_at(algsurf_exact_order_of(lo) + (doubles_between(lo, hi) + 1) / 2);
+    return (uint64_t)algsurf_i_number_of(hi) - (uint64_t)algsurf_i_number_of(lo);
 }
 static double next_up(double x) { return nextafter(x, HUGE_VAL); }
 static double next_down(double x) { return nextafter(x, -HUGE_VAL); }
@@ -85,12 +70,12 @@ static double place_in_cell(const algsurf_exact_cell *cell, int before) {
 }
 
 /* The root as a double, roughly; NaN or out of range where the cell is. */
-static double first_guess(const algsurf_exact_walk *walk, int before) {
+static double first_guess(const algsurf_exact_walk *walk) {
     const algsurf_exact_cell *cell = &walk->cells.cell;
     int e;
     double position = algsurf_z_to_double(cell->position, cell->position_width, &e);
     double begin = ldexp(position, e - cell->depth - cell->fine);
-    double x = begin + ldexp(place_in_cell(cell, before), -cell->depth);
+    double x = begin + ldexp(place_in_cell(cell, walk->before), -cell->depth);
     return ldexp((double)walk->piece.at + ldexp(x, walk->piece.length), walk->piece.unit);
 }
 
@@ -114,7 +99,7 @@ static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double gue
     for (int round = 0; doubles_between(lo->t, hi->t) > 1; round++) {
         uint64_t width = doubles_between(lo->t, hi->t);
         if (slow >= 3 || isnan(x)) {
-            x = algsurf_exact_double_at(algsurf_exact_order_of(lo->t) + width / 2);
+            x = algsurf_i_double_of(algsurf_i_number_of(lo->t) + (int64_t)(width / 2));
             slow = 0;
         }
         if (!(x > lo->t)) x = next_up(lo->t);
@@ -136,57 +121,59 @@ static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double gue
     return 1;
 }
 
-/* A double as a place, N 2^-r in the walk's unit. */
-static int set_point(algsurf_exact_walk *walk, double t, algsurf_exact_place *place) {
-    int e;
-    algsurf_limb odd = algsurf_z_odd_part(t, &e), *N = algsurf_memory_take(walk->memory, 1);
-    if (!N) return 0;
-    *N = t < 0 ? 0 - odd : odd;
-    *place = (algsurf_exact_place){place->of, N, NULL, 1, odd ? walk->unit - e : 0};
-    return 1;
-}
-
-/* Two neighbouring doubles as a place. */
-static int set_neighbours(algsurf_exact_walk *walk, double lo, double hi, algsurf_exact_place *place) {
-    int e = ilogb(hi - lo);
+/* Two neighbouring doubles as a place, or one that is the root. */
+static int set_doubles(algsurf_exact_walk *walk, double lo, double hi, algsurf_exact_place *place) {
+    int e = 0;
     algsurf_limb *N = algsurf_memory_take(walk->memory, 4);
     if (!N) return 0;
+    if (lo < hi)
+        e = ilogb(hi - lo);
+    else
+        (void)algsurf_z_odd_part(lo, &e);
     algsurf_z_zero(N, 4);
     algsurf_z_add_double(N, 2, lo, -e);
     algsurf_z_add_double(N + 2, 2, hi, -e);
-    *place = (algsurf_exact_place){place->of, N, N + 2, 2, walk->unit - e};
+    *place = (algsurf_exact_place){place->of, N, lo < hi ? N + 2 : NULL, 2, walk->unit - e};
+    return 1;
+}
+
+int algsurf_exact_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
+                          const algsurf_limb *end, int *sign) {
+    return algsurf_zpoly_sign_at(m, p, end, place->width, place->r, sign, NULL, NULL);
+}
+
+/* 2a, a + b and 2b over twice the denominator. */
+int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int before) {
+    int of_a = algsurf_z_bits(place->a, place->width), of_b = algsurf_z_bits(place->b, place->width), sign;
+    int w = algsurf_z_width((of_a > of_b ? of_a : of_b) + 2);
+    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w), *b = a + w, *middle = b + w;
+    if (!a) return 0;
+    algsurf_z_copy(a, w, place->a, place->width);
+    algsurf_z_copy(b, w, place->b, place->width);
+    algsurf_z_copy(middle, w, a, w);
+    algsurf_z_add(middle, b, w);
+    algsurf_z_shift_up(a, w, 1);
+    algsurf_z_shift_up(b, w, 1);
+    *place = (algsurf_exact_place){place->of, a, b, w, place->r + 1};
+    if (!algsurf_exact_sign_at(m, place->of, place, middle, &sign)) return 0;
+    if (sign == before || sign == 0) place->a = middle;
+    if (sign != before) place->b = sign == 0 ? NULL : middle;
     return 1;
 }
 
 /* Halves the place until neither end is a root: `before` is the sign just right of a. */
-static int part_from_ends(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, algsurf_limb *a,
-                          algsurf_limb *b, int *width, int *r, int *point) {
-    *point = 0;
-    for (;;) {
-        int at_a, at_b, sign;
-        if (!algsurf_zpoly_sign_at(walk->memory, f, a, *width, *r, &at_a, NULL, NULL) ||
-            !algsurf_zpoly_sign_at(walk->memory, f, b, *width, *r, &at_b, NULL, NULL))
+static int part_from_ends(algsurf_memory *m, algsurf_exact_place *place, int before) {
+    for (int at_a, at_b; place->b;) {
+        if (!algsurf_exact_sign_at(m, place->of, place, place->a, &at_a) ||
+            !algsurf_exact_sign_at(m, place->of, place, place->b, &at_b))
             return 0;
         if (at_a && at_b) return 1;
-        algsurf_limb *middle = algsurf_memory_take(walk->memory, (size_t)*width);
-        if (!middle) return 0;
-        algsurf_z_copy(middle, *width, a, *width); /* a + b over twice the denominator */
-        algsurf_z_add(middle, b, *width);
-        algsurf_z_shift_up(a, *width, 1);
-        algsurf_z_shift_up(b, *width, 1);
-        ++*r;
-        if (!algsurf_zpoly_sign_at(walk->memory, f, middle, *width, *r, &sign, NULL, NULL)) return 0;
-        algsurf_z_copy(sign == before || sign == 0 ? a : b, *width, middle, *width);
-        if (sign == 0) {
-            *point = 1;
-            return 1;
-        }
-        if (algsurf_z_bits(b, *width) + 3 >= 64 * *width || algsurf_z_bits(a, *width) + 3 >= 64 * *width)
-            return 2;
+        if (!algsurf_exact_halve(m, place, before)) return 0;
     }
+    return 1;
 }
 
-static void set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
+void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
     const algsurf_exact_place *place = &root->place;
     const algsurf_limb *b = place->b ? place->b : place->a;
     root->lo = algsurf_z_round_down(place->a, place->width, walk->unit - place->r);
@@ -195,12 +182,12 @@ static void set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
 }
 
 /* From the place (a, b) to doubles. */
-static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, int has_cell,
-                      algsurf_exact_root *root) {
+static int to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     algsurf_exact_place *place = &root->place;
-    int e = walk->unit - place->r;
+    const algsurf_zpoly *f = place->of;
+    int e = walk->unit - place->r, before = walk->before;
     sample lo, hi;
-    set_hull(walk, root);
+    algsurf_exact_set_hull(walk, root);
     if (doubles_between(root->lo, root->hi) <= 1) return 1; /* no double is inside */
     double first = algsurf_z_round_up(place->a, place->width, e),
            last = algsurf_z_round_down(place->b, place->width, e);
@@ -216,7 +203,8 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
         hi = lo;
     } else if (hi.sign == 0) {
         lo = hi;
-    } else if (!close_in(walk, f, has_cell ? first_guess(walk, before) : NAN, &lo, &hi)) {
+    } else if (!close_in(walk, f, walk->listed && walk->list_length >= 0 ? NAN : first_guess(walk), &lo,
+                         &hi)) {
         return 0;
     }
     int outside = lo.t < first || hi.t > last; /* the place reaches less far than the doubles */
@@ -225,8 +213,7 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
     root->t = outside                      ? (lo.t < first ? root->hi : root->lo)
               : fabs(ratio(&lo, &hi)) <= 1 ? root->lo
                                            : root->hi;
-    if (lo.t == hi.t) return set_point(walk, lo.t + 0.0, place);
-    return outside ? 1 : set_neighbours(walk, root->lo, root->hi, place);
+    return outside || set_doubles(walk, root->lo, root->hi, place);
 }
 
 /* Is the place, as it is, what the walk was asked for? */
@@ -238,36 +225,21 @@ static int is_enough(const algsurf_exact_walk *walk, const algsurf_exact_place *
            algsurf_z_round_down(place->b, w, e) == algsurf_z_round_up(place->b, w, e);
 }
 
-int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
-    algsurf_limb *a, *b;
-    int width, r, before = 0, point = 0, done;
-    const algsurf_zpoly *cell = &walk->cells.cell.b;
-    for (int j = 0; before == 0; j++) before = algsurf_z_sign(algsurf_zpoly_at(cell, j), cell->width);
-    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &b, &width,
-                                 &r))
-        return 0;
-    if (algsurf_z_sign(cell->c, cell->width) == 0 ||
-        algsurf_z_sign(algsurf_zpoly_at(cell, cell->degree), cell->width) == 0) {
-        while ((done = part_from_ends(walk, f, before, a, b, &width, &r, &point)) == 2) {
-            algsurf_limb *wider = algsurf_memory_take(walk->memory, 2 * (size_t)(width + 4));
-            if (!wider) return 0;
-            algsurf_z_copy(wider, width + 4, a, width);
-            algsurf_z_copy(wider + width + 4, width + 4, b, width);
-            a = wider, b = wider + width + 4, width += 4;
-        }
-        if (!done) return 0;
-    }
-    root->place = (algsurf_exact_place){f, a, point ? NULL : b, width, r};
-    if (is_enough(walk, &root->place)) {
-        set_hull(walk, root);
-        return 1;
-    }
-    return to_doubles(walk, f, before, 1, root);
+int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    if (!is_enough(walk, &root->place)) return to_doubles(walk, root);
+    algsurf_exact_set_hull(walk, root);
+    return 1;
 }
 
-int algsurf_exact_refine_place(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
-                               algsurf_exact_root *root) {
-    if (!is_enough(walk, &root->place)) return to_doubles(walk, f, before, 0, root);
-    set_hull(walk, root);
-    return 1;
+int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
+    algsurf_limb *a, *b;
+    int width, r, before = 0;
+    const algsurf_exact_cell *cell = &walk->cells.cell;
+    for (int j = 0; before == 0; j++) before = algsurf_exact_sign(cell, j);
+    if (!algsurf_exact_cell_ends(walk->memory, cell, &walk->piece, walk->unit, &a, &b, &width, &r)) return 0;
+    walk->before = before;
+    root->place = (algsurf_exact_place){f, a, b, width, r};
+    int apart = algsurf_exact_sign(cell, 0) && algsurf_exact_sign(cell, cell->b.degree);
+    if (!apart && !part_from_ends(walk->memory, &root->place, before)) return 0;
+    return algsurf_exact_refine_place(walk, root);
 }

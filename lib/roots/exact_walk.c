@@ -40,64 +40,35 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
     if (!algsurf_zpoly_gcd_degree(m, &walk->p, NULL, 2, &degree)) return -1;
     if (degree == 0) return 0;
     algsurf_memory_release(m, walk->bottom);
-    size_t words = (size_t)(walk->p.degree + 1) * ((sizeof *walk->s + 7) / 8);
-    walk->s = (algsurf_zpoly *)(void *)algsurf_memory_take(m, words);
+    walk->s = algsurf_i_take(m, (size_t)(walk->p.degree + 1) * sizeof *walk->s);
     if (!walk->s || !algsurf_zpoly_multiplicities(m, &walk->p, walk->s, &parts)) return -1;
     walk->parts = parts;
     walk->bottom = walk->top = algsurf_memory_here(m);
     walk->cells.active = walk->cells.count = 0;
-    walk->skip = walk->passed;
+    walk->skip = walk->given;
     algsurf_exact_pieces_again(&walk->pieces);
     return 1;
 }
 
 /* ---- all roots at once ---- */
 
-/* Is root `at` to the right of the cell's left end, or there and not dealt with yet? */
-static int is_ahead(algsurf_exact_walk *walk, const algsurf_i_root_on_axis *at,
-                    const algsurf_exact_place *left, int *ahead) {
-    const algsurf_zpoly *f = walked(walk);
-    int low = at->r > left->r ? at->r : left->r, above, below, sign;
-    int w = (at->width > left->width ? at->width : left->width) + (abs(at->r - left->r) + 127) / 64;
-    algsurf_limb *x = algsurf_memory_take(walk->memory, 2 * (size_t)w), *y = x + w;
-    if (!x) return 0;
-    const algsurf_limb *ends[2] = {at->a, at->b ? at->b : at->a};
-    int side[2];
-    for (int i = 0; i < 2; i++) {
-        algsurf_z_copy(x, w, ends[i], at->width), algsurf_z_shift_up(x, w, low - at->r);
-        algsurf_z_copy(y, w, left->a, left->width), algsurf_z_shift_up(y, w, low - left->r);
-        algsurf_z_sub(x, y, w);
-        side[i] = algsurf_z_sign(x, w);
-    }
-    *ahead = side[0] >= 0;
-    if (at->b ? side[0] >= 0 || side[1] <= 0 : side[0] != 0) return 1;
-    *ahead = !walk->cells.cell.left_done;
-    if (!at->b) return 1;
-    if (!algsurf_zpoly_sign_at(walk->memory, f, left->a, left->width, left->r, &below, NULL, NULL) ||
-        !algsurf_zpoly_sign_at(walk->memory, f, at->a, at->width, at->r, &above, NULL, NULL))
-        return 0;
-    sign = below == above;
-    if (below != 0) *ahead = sign;
-    return 1;
-}
-
-/* The roots from the cell on, as a list, if discs have them: -1: no memory; 1: the list goes on. */
+/* All roots as a list, if discs have them, and next the one that the walk has come to: -1: no memory; 1: the
+ * list goes on.  Those that are left of lo, or have been given, are passed over here as far as their places
+ * show it. */
 static int list_roots(algsurf_exact_walk *walk) {
     const algsurf_zpoly *f = walked(walk);
-    algsurf_limb *a, *b;
-    algsurf_exact_place left = {.of = f};
     walk->listed = algsurf_i_take(walk->memory, (size_t)f->degree * sizeof *walk->listed);
     walk->list_length = -1;
     if (!walk->listed || !algsurf_i_roots_on_axis(walk->memory, f, walk->listed, &walk->list_length))
         return -1;
     if (walk->list_length < 0) return 0;
-    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &b,
-                                 &left.width, &left.r))
-        return -1;
-    left.a = a;
-    for (int ahead = 0; walk->next < walk->list_length; walk->next++) {
-        if (!is_ahead(walk, walk->listed + walk->next, &left, &ahead)) return -1;
-        if (ahead) break;
+    walk->skip = walk->given;
+    for (; walk->next < walk->list_length; walk->next++) {
+        const algsurf_i_root_on_axis *at = walk->listed + walk->next;
+        int inside = algsurf_z_round_down(at->a, at->width, walk->unit - at->r) >= walk->lo;
+        int left = algsurf_z_round_up(at->b ? at->b : at->a, at->width, walk->unit - at->r) < walk->lo;
+        if (!left && (!inside || walk->skip == 0)) break;
+        walk->skip -= inside;
     }
     walk->top = algsurf_memory_here(walk->memory);
     return 1;
@@ -114,7 +85,7 @@ static int next_listed(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     int negative = algsurf_z_negative(algsurf_zpoly_at(f, f->degree), f->width);
     int before = walk->before = (f->degree + walk->next++ + negative) % 2 ? -1 : 1;
     root->place = (algsurf_exact_place){f, at->a, at->b, at->width, at->r};
-    if (!algsurf_exact_refine_place(walk, f, before, root)) return -1;
+    if (!algsurf_exact_refine_place(walk, root)) return -1;
     if (!walk->parts) root->multiplicity = 1, root->sign_before = before;
     return 1;
 }
@@ -126,12 +97,8 @@ static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place
     *multiplicity = 1;
     for (int i = 1; i < walk->parts; i++) {
         int at_a, at_b = 0;
-        if (!algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->a, place->width, place->r, &at_a, NULL,
-                                   NULL))
-            return 0;
-        if (place->b && !algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->b, place->width, place->r,
-                                               &at_b, NULL, NULL))
-            return 0;
+        if (!algsurf_exact_sign_at(walk->memory, walk->s + i, place, place->a, &at_a)) return 0;
+        if (place->b && !algsurf_exact_sign_at(walk->memory, walk->s + i, place, place->b, &at_b)) return 0;
         if (place->b ? at_a == at_b : at_a != 0) break;
         *multiplicity = i + 1;
     }
@@ -143,13 +110,10 @@ static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place
 static int find_sign_before(algsurf_exact_walk *walk, const algsurf_exact_place *place, int multiplicity,
                             int *sign) {
     algsurf_zpoly d = walk->p;
-    if (place->b)
-        return algsurf_zpoly_sign_at(walk->memory, &walk->p, place->a, place->width, place->r, sign, NULL,
-                                     NULL);
+    if (place->b) return algsurf_exact_sign_at(walk->memory, &walk->p, place, place->a, sign);
     for (int i = 0; i < multiplicity; i++)
         if (!algsurf_zpoly_derivative(walk->memory, &d, &d)) return 0;
-    if (!algsurf_zpoly_sign_at(walk->memory, &d, place->a, place->width, place->r, sign, NULL, NULL))
-        return 0;
+    if (!algsurf_exact_sign_at(walk->memory, &d, place, place->a, sign)) return 0;
     if (multiplicity % 2) *sign = -*sign;
     return 1;
 }
@@ -165,9 +129,7 @@ static int complete(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 static void set_point(const algsurf_exact_walk *walk, const algsurf_limb *N, int width, int r,
                       algsurf_exact_root *root) {
     root->place = (algsurf_exact_place){walked(walk), N, NULL, width, r};
-    root->lo = algsurf_z_round_down(N, width, walk->unit - r);
-    root->hi = algsurf_z_round_up(N, width, walk->unit - r);
-    root->t = isinf(root->lo) ? root->hi : root->lo;
+    algsurf_exact_set_hull(walk, root);
 }
 
 /* The root at the cell's left end. */
@@ -190,12 +152,8 @@ static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 
 /* The root in the cell, which has one variation. */
 static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    const algsurf_zpoly *b = &walk->cells.cell.b;
-    if (!algsurf_exact_refine(walk, walked(walk), root)) return 0;
-    if (walk->parts) return 1;
-    root->multiplicity = 1;
-    for (int j = 0; root->sign_before == 0; j++)
-        root->sign_before = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
+    if (!algsurf_exact_refine_cell(walk, walked(walk), root)) return 0;
+    if (!walk->parts) root->multiplicity = 1, root->sign_before = walk->before;
     return 1;
 }
 
@@ -284,9 +242,7 @@ static int see_which_side(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     if (refine == ALGSURF_EXACT_REFINED || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi))
         return 1;
     walk->refine = ALGSURF_EXACT_REFINED;
-    const algsurf_zpoly *f = root->place.of;
-    int done = is_listed(walk) ? algsurf_exact_refine_place(walk, f, walk->before, root)
-                               : algsurf_exact_refine(walk, f, root);
+    int done = algsurf_exact_refine_place(walk, root);
     walk->refine = refine;
     return done;
 }
@@ -296,14 +252,15 @@ int algsurf_exact_next(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         algsurf_memory_release(walk->memory, walk->top);
         int found = search(walk, root);
         if (found <= 0) return found;
+        if (!see_which_side(walk, root)) return ALGSURF_EXACT_NO_MEMORY;
+        int wanted = is_wanted(walk, root);
+        if (wanted < 0) return ALGSURF_EXACT_END;
+        if (wanted == 0) continue;
         if (walk->skip > 0) {
             walk->skip--;
             continue;
         }
-        walk->passed++;
-        if (!see_which_side(walk, root)) return ALGSURF_EXACT_NO_MEMORY;
-        int wanted = is_wanted(walk, root);
-        if (wanted < 0) return ALGSURF_EXACT_END;
-        if (wanted > 0) return complete(walk, root) ? ALGSURF_EXACT_ROOT : ALGSURF_EXACT_NO_MEMORY;
+        walk->given++;
+        return complete(walk, root) ? ALGSURF_EXACT_ROOT : ALGSURF_EXACT_NO_MEMORY;
     }
 }

@@ -20,7 +20,37 @@
 #include "algsurf/isolate.h"
 #include "../complex/discs.h"
 #include "../poly/integral.h"
-#include "exact_cell.h"
+#include "coefficients.h"
+#include "watch.h"
+
+/* A part of the line: u' in [at, at + 2^length), t = 2^unit u'; 0 <= length <= 5. */
+typedef struct algsurf_exact_piece {
+    int unit, length;
+    int64_t at;
+} algsurf_exact_piece;
+
+/* The part [position 2^-(depth+fine), that + 2^-depth] of its piece taken as [0,1].  Coefficients and
+ * position are one block of memory, the last one taken. */
+typedef struct algsurf_exact_cell {
+    algsurf_zpoly b; /* up to a positive factor */
+    int bits;        /* |b_j| <= 2^bits */
+    algsurf_limb *position;
+    int position_width, depth, fine;
+    int variations; /* of sign in b, zeros left out */
+    int left_done;  /* b_0 = 0, and the root there has been dealt with */
+    algsurf_memory_mark begin;
+} algsurf_exact_cell;
+
+/* The cell in work and, further to the right, those that wait. */
+typedef struct algsurf_exact_cells {
+    algsurf_memory *memory;
+    algsurf_exact_cell cell, *waiting;
+    int active; /* there is a cell in work */
+    int count, room;
+    const algsurf_i_watch *watch; /* null: nobody looks */
+    algsurf_exact_piece piece;    /* that the cells are of */
+    int unit;                     /* of the polynomial: t = 2^unit u */
+} algsurf_exact_cells;
 
 /* Where a root is: the only root of `of` in the open interval (a, b) 2^-r of u, `of` being nonzero with
  * different signs at its ends; or, when b is null, the point a 2^-r. */
@@ -69,13 +99,13 @@ typedef struct algsurf_exact_walk {
     int asked;                 /* 1: p is squarefree, or parts are there */
     int parts;                 /* 0: p itself is walked; else members of s */
     algsurf_zpoly *s;          /* s[0] is walked */
-    int passed, skip;          /* roots so far; of those to be passed over again */
+    int given, skip;           /* roots so far; of those to be passed over again */
     algsurf_exact_cells cells; /* of the piece */
     int used_up;               /* the cell's root has been reported */
+    int before;                /* the sign of what is walked before its last simple root */
     /* from discs */
     algsurf_i_root_on_axis *listed;         /* null: not asked for; else the roots, */
     int list_length, next;                  /* how many, -1: not known; the next one, */
-    int before;                             /* the sign before the last one */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
 } algsurf_exact_walk;
 
@@ -90,8 +120,8 @@ int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, i
 /* The same with k given: k = -least, no coefficient c_j 2^(j unit) having bits below 2^least. */
 int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
                                      algsurf_zpoly *p);
-/* The exponent of the last bit that is set in x, ALGSURF_Z_NO_BIT for 0. */
-int algsurf_exact_low_bit(double x);
+/* The exponent of the last bit that is set in any c_j 2^(j unit), ALGSURF_Z_NO_BIT where there is none. */
+int algsurf_exact_least_bit(const double *c, int degree, int unit);
 
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  Memory is taken until algsurf_exact_end.  Returns 0 when
@@ -116,6 +146,52 @@ void algsurf_exact_end(algsurf_exact_walk *walk);
 
 /* ---- shared by the engine's files ---- */
 
+/* exact_cell.c: cells, Bernstein coefficients in integers over dyadic parts of a piece. */
+
+/* No cells, and room for `room` that wait. */
+int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
+                              const algsurf_i_watch *watch);
+
+/* The whole of a piece becomes the cell, of f, a polynomial in u = 2^-unit t. */
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,
+                             const algsurf_exact_piece *piece);
+
+/* The cell is done with: the next one that waits, if any. */
+void algsurf_exact_cells_next(algsurf_exact_cells *cells);
+
+/* Halves the cell; what may have roots is kept, the right half waits for the left one. */
+int algsurf_exact_cells_halve(algsurf_exact_cells *cells);
+
+static inline int algsurf_exact_sign(const algsurf_exact_cell *cell, int j) {
+    return algsurf_z_sign(algsurf_zpoly_at(&cell->b, j), cell->b.width);
+}
+
+/* Is the cell's left end a root that has not been dealt with? */
+static inline int algsurf_exact_begins_with_root(const algsurf_exact_cell *cell) {
+    return !cell->left_done && algsurf_exact_sign(cell, 0) == 0;
+}
+
+/* Takes a common power of two out of the coefficients, and sets their bits. */
+void algsurf_exact_strip(algsurf_exact_cell *cell);
+int algsurf_exact_variations(const algsurf_exact_cell *cell);
+
+/* The bounds of a cell of the piece in u = 2^-unit t: N 2^-r, taken from memory. */
+int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
+                            const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
+                            int *width, int *r);
+
+/* Shows a cell to whoever watches; returns 0 when there is no memory. */
+int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell);
+
+/* A step to a cluster of v >= 2 roots of one polynomial: if all roots of the cell are proved to be in a much
+ * narrower part of it, the cell becomes that part and *done 1, else *done is 0.  Neither end may be a root.
+ */
+int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done);
+
+/* The coefficients as doubles, the largest between 1/2 and 1; each is off by 2^-52 of its size, and by
+ * 2^-900. */
+void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b);
+
 /* exact_pieces.c: the pieces of [lo,hi] from left to right, for p, a polynomial in u = 2^-unit t; returns 0
  * without memory.  _again: from the beginning. */
 int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const algsurf_zpoly *p, int unit,
@@ -128,20 +204,20 @@ enum {
 };
 int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece);
 
-/* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to
- * doubles. */
-int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
-/* The same from root->place, an interval with one root of f, which has the sign `before` at its left end. */
-int algsurf_exact_refine_place(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
-                               algsurf_exact_root *root);
+/* exact_refine.c: the sign of p at a or b of a place. */
+int algsurf_exact_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
+                          const algsurf_limb *end, int *sign);
+/* Halves an interval, `before` being the sign just right of a; the middle may be found to be the root. */
+int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int before);
+/* lo, hi and t as the place tells them. */
+void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root);
+/* From the cell with one root of f, whose ends may be other roots, to its place, and as follows. */
+int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
+/* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for. */
+int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
 /* decide.c: a polynomial from a caller's integers; returns 0 without memory. */
 int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p);
-/* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
-uint64_t algsurf_exact_order_of(double x);
-double algsurf_exact_double_at(uint64_t order);
-/* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
-double algsurf_exact_between(double lo, double hi);
 #endif

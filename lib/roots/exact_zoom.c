@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "algsurf/status.h"
-#include "exact_cell.h"
+#include "exact_walk.h"
 #include "../base/elementary.h"
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */
@@ -84,10 +84,8 @@ static int outer_is_clear(const double *b, int n, double *t, double x, int at_ri
 /* The new cell, last taken, to the place of the old one, with no more limbs than it needs; where one of them
  * began a new block of memory, both stay. */
 static int take_place(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *part) {
-    int n = part->b.degree, zeros = algsurf_zpoly_trailing(&part->b);
-    for (int j = 0; zeros > 0 && zeros < ALGSURF_Z_NO_BIT && j <= n; j++)
-        algsurf_z_shift_down(algsurf_zpoly_at(&part->b, j), part->b.width, zeros);
-    part->bits = algsurf_zpoly_bits(&part->b);
+    int n = part->b.degree;
+    algsurf_exact_strip(part);
     part->variations = algsurf_exact_variations(part);
     if (cell->begin.last == m->last && part->begin.last == m->last) {
         int width = algsurf_z_width(part->bits + n + 1);
@@ -148,7 +146,7 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
 int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done) {
     int n = cell->b.degree;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    double *b = (double *)(void *)algsurf_memory_take(m, 3 * (size_t)(n + 1));
+    double *b = algsurf_i_take(m, 3 * (size_t)(n + 1) * sizeof *b);
     double lead = 0, x = 0, bound = (3 * n + 6) * 0x1p-52;
     *done = 0;
     if (!b) return 0;

@@ -13,10 +13,8 @@
 
 #include "algsurf/isolate.h"
 #include "../base/fpenv.h"
-#include "coefficients.h"
-#include "decide.h"
-#include "polys.h"
 #include "line.h"
+#include "polys.h"
 #include "../base/options.h"
 #include "../poly/table.h"
 
@@ -31,15 +29,19 @@ static double begin_of(const algsurf_real_batch *p, size_t i) {
 }
 static double end_of(const algsurf_real_batch *p, size_t i) { return p->hi[(ptrdiff_t)i * p->interval_step]; }
 
-static algsurf_status check_one(const algsurf_real_batch *p, size_t i) {
-    if (!(begin_of(p, i) < end_of(p, i))) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; k <= p->degree; k++) {
-        double r = p->radii.at ? algsurf_i_table_entry(&p->radii, k, i) : 0;
-        if (!isfinite(algsurf_i_table_entry(&p->coefficients, k, i)) || !isfinite(r))
-            return ALGSURF_E_NOT_FINITE;
-        if (r < 0) return ALGSURF_E_ARGUMENT;
-    }
-    return ALGSURF_OK;
+/* c, r: room for the coefficients and, if there are any, radii. */
+static algsurf_i_coefficients read_one(const algsurf_real_batch *p, size_t i, double *c, double *r) {
+    algsurf_i_table_row(&p->coefficients, p->degree, i, c);
+    if (p->radii.at) algsurf_i_table_row(&p->radii, p->degree, i, r);
+    return (algsurf_i_coefficients){c, p->radii.at ? r : NULL, p->degree};
+}
+
+static algsurf_status check_one(const algsurf_real_batch *polys, size_t i) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_i_coefficients p = read_one(polys, i, c, r);
+    if (!(begin_of(polys, i) < end_of(polys, i))) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_coefficients(&p);
+    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
 static algsurf_status check_shape(const algsurf_real_batch *p) {
@@ -68,63 +70,57 @@ static double point_of(const algsurf_bracket *b) {
     return finite ? 0.5 * b->lo + 0.5 * b->hi : finite_point(b->lo, b->hi);
 }
 
-/* The set of polynomials within the radii: its first place with roots. */
-static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, double hi, unsigned char *state,
-                                double *where) {
-    algsurf_bracket b[2];
-    int found = 0;
-    algsurf_status status = algsurf_isolate_first(p->c, p->r, p->degree, lo, hi, NULL, b, &found);
-    if (status < 0 && status != ALGSURF_E_ZERO) return status;
-    if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_BRACKET_UNDECIDED)) {
-        *state = ALGSURF_FIRST_ROOT_UNDECIDED;
-        *where = found ? point_of(b) : finite_point(lo, hi);
-        return ALGSURF_OK;
-    }
-    *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-    if (!found) return ALGSURF_OK;
-    *where = point_of(b);
-    status = algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found,
-                                     NULL); /* as narrow as the radii allow */
-    if (found) *where = point_of(b + 1);
-    return status;
+/* Roots of one exact polynomial: OK, E_ZERO or E_NO_MEMORY. */
+static ALGSURF_NOINLINE algsurf_status find_alone(const algsurf_real_batch *polys, size_t i, int wanted,
+                                                  algsurf_real_root *roots, int *count) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_i_line line = {.lo = begin_of(polys, i), .hi = end_of(polys, i), .wanted = wanted, .refined = 1};
+    line.p = read_one(polys, i, c, NULL);
+    algsurf_status status = algsurf_i_check_coefficients(&line.p);
+    return status == ALGSURF_OK ? algsurf_i_line_solve(&line, roots, count) : status;
 }
 
 /* The first root; room for all of them is allocated where the stack has none. */
-static ALGSURF_NOINLINE algsurf_status solve_exact(const algsurf_i_coefficients *p, double lo, double hi,
-                                                   unsigned char *state, double *where) {
-    const algsurf_i_line line = {{p->c, NULL, p->degree}, lo, hi, ALGSURF_I_FIRST, 1, NULL, 0};
+static algsurf_status solve_exact(const algsurf_real_batch *polys, size_t i, int *found, double *where) {
     algsurf_real_root few[ALGSURF_MAX_DEGREE], *roots = few;
-    int found = 0;
-    if (p->degree > ALGSURF_MAX_DEGREE && !(roots = malloc((size_t)p->degree * sizeof *roots)))
-        return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = algsurf_i_line_solve(&line, roots, &found);
-    if (status == ALGSURF_OK) *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-    if (status == ALGSURF_OK && found) *where = roots->root;
+    if (polys->degree > ALGSURF_MAX_DEGREE) roots = malloc((size_t)polys->degree * sizeof *roots);
+    if (!roots) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = find_alone(polys, i, ALGSURF_I_FIRST, roots, found);
+    if (status == ALGSURF_OK && *found) *where = roots->root;
     if (roots != few) free(roots);
+    return status;
+}
+
+/* Of the set of polynomials within the radii the first place with roots, as narrow as they allow; positive
+ * where it is undecided. */
+static ALGSURF_NOINLINE algsurf_status solve_set(const algsurf_real_batch *polys, size_t i, int *found,
+                                                 double *where) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    const algsurf_i_coefficients p = read_one(polys, i, c, r);
+    algsurf_bracket b, narrow;
+    int some = 0;
+    algsurf_status status =
+        algsurf_isolate_first(c, r, p.degree, begin_of(polys, i), end_of(polys, i), NULL, &b, found);
+    if (status < 0 || !*found) return status;
+    *where = point_of(&b);
+    if (b.kind == ALGSURF_BRACKET_UNDECIDED) return status;
+    status = algsurf_i_decide_ranges(&p, b.lo, b.hi, &narrow, 1, &some, NULL);
+    if (some) *where = point_of(&narrow);
     return status;
 }
 
 /* One polynomial alone: OK or E_NO_MEMORY, and then it stays undecided. */
 static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
-    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
-    double lo = begin_of(polys, i), hi = end_of(polys, i);
-    algsurf_i_coefficients p = {c, polys->radii.at ? r : NULL, polys->degree};
-    algsurf_status status = ALGSURF_OK;
-    int zero = 1;
-    algsurf_i_table_row(&polys->coefficients, p.degree, i, c);
-    for (int k = 0; k <= p.degree; k++) zero = zero && c[k] == 0;
-    state[i] = ALGSURF_FIRST_ROOT_UNDECIDED;
-    if (p.r) {
-        algsurf_i_table_row(&polys->radii, p.degree, i, r);
-        status = solve_set(&p, lo, hi, state + i, &where);
-    } else if (zero) {
-        where = finite_point(lo, hi);
-    } else {
-        status = solve_exact(&p, lo, hi, state + i, &where);
-    }
+    double where = HUGE_VAL;
+    int found = 0;
+    algsurf_status status = (polys->radii.at ? solve_set : solve_exact)(polys, i, &found, &where);
+    state[i] = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED
+               : found              ? ALGSURF_FIRST_ROOT_FOUND
+                                    : ALGSURF_FIRST_ROOT_NONE;
+    if (status == ALGSURF_E_ZERO) where = finite_point(begin_of(polys, i), end_of(polys, i));
     if (root) root[i] = where;
-    return status;
+    return status == ALGSURF_E_NO_MEMORY ? status : ALGSURF_OK;
 }
 
 /* A job without answers for a batch, if all are good. */
@@ -171,21 +167,6 @@ static ALGSURF_NOINLINE algsurf_status first_roots(const algsurf_real_batch *bat
     return status;
 }
 
-/* All roots of one polynomial alone: OK, or the error that is its count. */
-static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
-                                 int *count) {
-    double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    const algsurf_i_line line = {
-        {c, NULL, p->degree}, begin_of(p, i), end_of(p, i), ALGSURF_I_ALL, 1, NULL, 0};
-    int room = p->degree > 0 ? p->degree : 1, found = 0, zero = 1;
-    algsurf_i_table_row(&p->coefficients, p->degree, i, c);
-    for (int k = 0; k <= p->degree; k++) zero = zero && c[k] == 0;
-    algsurf_status status =
-        zero ? ALGSURF_E_ZERO : algsurf_i_line_solve(&line, roots + i * (size_t)room, &found);
-    count[i] = status == ALGSURF_OK ? found : (int)status;
-    return status;
-}
-
 static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch,
                                                  const algsurf_batch_options *options,
                                                  algsurf_real_root *roots, int *count) {
@@ -201,7 +182,9 @@ static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch
     if (has_kernel(p->degree)) q.kernel->solve_all(&job, p->count);
     for (size_t i = 0; i < p->count; i++) {
         if (has_kernel(p->degree) && count[i] >= 0) continue;
-        algsurf_status alone = find_alone(p, i, roots, count);
+        int room = p->degree > 0 ? p->degree : 1, found = 0;
+        algsurf_status alone = find_alone(p, i, ALGSURF_I_ALL, roots + i * (size_t)room, &found);
+        count[i] = alone == ALGSURF_OK ? found : (int)alone;
         if (status == ALGSURF_OK) status = alone;
     }
     return status;

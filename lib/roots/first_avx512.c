@@ -5,6 +5,5 @@
 #include "../simd/avx512.h"
 #ifdef LANES
 #include "all_template.h"
-#include "settle_template.h"
 #endif
 #include "../simd/end.h"

@@ -4,4 +4,3 @@
 
 #include "../simd/baseline.h"
 #include "all_template.h"
-#include "settle_template.h"

@@ -12,7 +12,7 @@
 #ifndef KNOWN_DEGREES /* code for known degrees where each coefficient has its radius: see degrees.h */
 #define KNOWN_DEGREES 0
 #endif
-#define SHORT_STEP 0x1p-14   /* of an iteration: longer ones do not tell what is missing */
+#define SHORT_STEP 0x1p-14 /* of an iteration: longer ones do not tell what is missing */
 
 /* What is known of LANES polynomials, and what was found. */
 typedef struct packet {
@@ -182,20 +182,6 @@ INLINE lanes refine_n(packet *k, int n, double tolerance, const algsurf_i_watch 
 
 /* ---- the steps, compiled for the most common degrees and for all others ---- */
 
-/* The same steps, for whoever watches. */
-APART void isolate_watched(packet *k, int n, int own) {
-    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    if (own)
-        isolate_n(k, n, 1, k->watch);
-    else
-        isolate_n(k, n, 0, k->watch);
-}
-
-APART void refine_watched(packet *k, int n, double tolerance, lanes *at) {
-    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    *at = refine_n(k, n, tolerance, k->watch);
-}
-
 /* Single rays and polynomials, which may be watched, go in packets of two; the includer may say that none is
  * watched. */
 #ifndef WATCHED
@@ -204,27 +190,16 @@ APART void refine_watched(packet *k, int n, double tolerance, lanes *at) {
 INLINE const algsurf_i_watch *watch_of(const packet *k) { return WATCHED ? k->watch : NULL; }
 
 /* One radius. */
-APART void isolate(packet *k, int n) {
-    if (watch_of(k))
-        isolate_watched(k, n, 0);
-    else
-        FOR_DEGREE(n, isolate_n(k, N, 0, NULL))
-}
+APART void isolate(packet *k, int n){FOR_DEGREE(n, isolate_n(k, N, 0, watch_of(k)))}
 
 /* Radii of their own. */
 APART void isolate_known(packet *k, int n) {
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
-    if (watch_of(k))
-        isolate_watched(k, n, 1);
-    else
-        FOR_DEGREE_IF(KNOWN_DEGREES && COMMON_DEGREES, n, isolate_n(k, N, 1, NULL))
+    FOR_DEGREE_IF(KNOWN_DEGREES && COMMON_DEGREES, n, isolate_n(k, N, 1, watch_of(k)))
 }
 
 APART void refine(packet *k, int n, double tolerance, lanes *at) {
-    if (watch_of(k))
-        refine_watched(k, n, tolerance, at);
-    else
-        FOR_DEGREE(n, *at = refine_n(k, N, tolerance, NULL))
+    FOR_DEGREE(n, *at = refine_n(k, N, tolerance, watch_of(k)))
 }
 
 #endif

@@ -8,9 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "decide.h"
+#include "line.h"
 #include "exact_walk.h"
-#include "integers.h"
 
 enum { STACK_WORDS = 1024, MOST_SPREAD = 900, FEW = 4 };
 
@@ -52,28 +51,26 @@ static int close_in(algsurf_memory *m, const algsurf_zpoly *z, const algsurf_bra
     return 0;
 }
 
-int algsurf_i_integers_round(const algsurf_i_given *p, double *c, double *r, int *degree) {
+int algsurf_i_integers_round(const algsurf_i_line *line, double *c, double *r, int *degree) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly z;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    int done = p->degree <= ALGSURF_MAX_DEGREE && algsurf_i_from_integers(&memory, p->z, p->degree, &z) &&
-               round_all(&z, c, r);
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    int done = line->p.degree <= ALGSURF_MAX_DEGREE &&
+               algsurf_i_from_integers(&memory, line->z, line->p.degree, &z) && round_all(&z, c, r);
     if (done) *degree = z.degree;
     algsurf_memory_release(&memory, begin);
     return done;
 }
 
-int algsurf_i_integers_close_in(const algsurf_i_given *p, const algsurf_bracket *b, int count,
+int algsurf_i_integers_close_in(const algsurf_i_line *line, const algsurf_bracket *b, int count,
                                 algsurf_real_root *roots) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly z;
     int i = 0;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    if (algsurf_i_from_integers(&memory, p->z, p->degree, &z))
+    algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    if (algsurf_i_from_integers(&memory, line->z, line->p.degree, &z))
         while (i < count && roots[i].multiplicity && close_in(&memory, &z, b + i, roots[i].root, roots + i))
             i++;
     algsurf_memory_release(&memory, begin);

@@ -1,4 +1,4 @@
-/* isolate.c - roots of a polynomial in an interval of the line, isolated: the public calls.
+/* isolate.c - the real roots of one polynomial, isolated or refined: the public calls.
  *
  * Exact coefficients: line.c.  Where they are known to radii, doubles come first (walk.c), then integers with
  * envelopes (exact_radii.c) from the last bracket on that the doubles were sure of: so the first root is the
@@ -11,11 +11,62 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../base/integer.h"
 #include "../base/options.h"
-#include "coefficients.h"
-#include "decide.h"
 #include "line.h"
-#include "walk.h"
+
+static int has_shape(const algsurf_i_line *line) {
+    return (line->p.c || line->z) && line->p.degree >= 0 && line->p.degree <= ALGSURF_MAX_POLY_DEGREE &&
+           line->lo <= line->hi;
+}
+
+/* ---- refined ---- */
+
+static algsurf_status check_integers(const algsurf_integer *z, int degree) {
+    int zero = 1;
+    for (int k = 0; k <= degree; k++) {
+        if (z[k].length < -ALGSURF_MAX_LIMBS || z[k].length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
+        if (z[k].length && !z[k].limbs) return ALGSURF_E_ARGUMENT;
+        zero = zero && algsurf_z_length(z[k].limbs, abs(z[k].length)) == 0;
+    }
+    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status find(algsurf_i_line *line, algsurf_real_root *roots, int capacity,
+                                            int *count) {
+    algsurf_real_root found[ALGSURF_MAX_POLY_DEGREE];
+    int n = 0;
+    if (!has_shape(line)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status =
+        line->z ? check_integers(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
+    if (status == ALGSURF_OK) status = algsurf_i_line_solve(line, found, &n);
+    if (status != ALGSURF_OK) return status;
+    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    memcpy(roots, found, (size_t)n * sizeof *roots);
+    *count = n;
+    return ALGSURF_OK;
+}
+
+static algsurf_status refine(algsurf_i_line *line, algsurf_real_root *roots, int capacity, int *count) {
+    algsurf_status status;
+    if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
+    ALGSURF_STANDARD(status = find(line, roots, capacity, count));
+    return status;
+}
+
+algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi, algsurf_real_root *roots,
+                                  int capacity, int *count) {
+    algsurf_i_line line = {.p = {c, NULL, degree}, .lo = lo, .hi = hi, .refined = 1};
+    return refine(&line, roots, capacity, count);
+}
+
+algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo, double hi,
+                                           algsurf_real_root *roots, int capacity, int *count) {
+    algsurf_i_line line = {.p = {NULL, NULL, degree}, .z = c, .lo = lo, .hi = hi, .refined = 1};
+    return refine(&line, roots, capacity, count);
+}
+
+/* ---- isolated ---- */
 
 /* What is found: roots of an exact polynomial, or brackets of a set.  On the stack, or, beyond the degrees
  * that doubles decide, allocated. */
@@ -25,50 +76,13 @@ typedef union place {
 } place;
 
 typedef struct task {
-    algsurf_i_coefficients p;
-    double lo, hi;
-    int wanted;
-    const algsurf_i_watch *watch; /* null: nobody looks */
-    place few[ALGSURF_MAX_DEGREE + 1];
+    algsurf_i_line line;
     void *room;
-    algsurf_bracket *b;       /* of a set, else null */
-    algsurf_real_root *roots; /* of an exact polynomial, else null */
-    int count, capacity;
-    algsurf_bracket *to; /* the caller's brackets, null: none are asked for; room for so many */
+    int capacity, count; /* there */
+    algsurf_bracket *to; /* the caller's, null: none are asked for; room for so many */
     int most;
+    int certain; /* how many are roots */
 } task;
-
-/* Of the set of polynomials within the radii. */
-static algsurf_status solve_set(task *t) {
-    int first = t->wanted == ALGSURF_I_FIRST, found = 0;
-    int level = algsurf_i_is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi)));
-    if (algsurf_i_walk(&t->p, t->lo, t->hi, level, first ? 1 : t->capacity, t->b, &t->count, t->watch))
-        return ALGSURF_OK;
-    double rest = t->count > 0 ? t->b[t->count - 1].hi : t->lo;
-    algsurf_status status = algsurf_i_decide_ranges(&t->p, rest, t->hi, t->b + t->count,
-                                                    t->capacity - t->count, &found, t->watch);
-    t->count += found;
-    if (first && t->count > 1) t->count = 1;
-    return status;
-}
-
-static algsurf_status solve_exact(task *t) {
-    const algsurf_i_line line = {{t->p.c, NULL, t->p.degree}, t->lo, t->hi, t->wanted, 0, t->watch, 0};
-    return algsurf_i_line_solve(&line, t->roots = t->room, &t->count);
-}
-
-static algsurf_bracket bracket_at(const task *t, int i) {
-    if (t->b) return t->b[i];
-    const algsurf_real_root *r = t->roots + i;
-    int exact = r->lo == r->hi, kind = exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
-    return (algsurf_bracket){r->lo, r->hi, kind, exact ? 0 : r->sign, r->multiplicity, ALGSURF_OK};
-}
-
-static void all_undecided(task *t) {
-    int most = t->p.degree > 0 ? t->p.degree : 1;
-    t->b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_BRACKET_UNDECIDED, 0, most, ALGSURF_UNDECIDED_ZERO};
-    t->count = 1;
-}
 
 /* Nothing can be said of a set of polynomials that holds the zero polynomial. */
 static int may_vanish(const algsurf_i_coefficients *p) {
@@ -77,112 +91,104 @@ static int may_vanish(const algsurf_i_coefficients *p) {
     return 1;
 }
 
-static algsurf_status check(const double *c, const double *r, int degree, double lo, double hi) {
-    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !(lo <= hi)) return ALGSURF_E_ARGUMENT;
-    int zero = 1;
-    for (int k = 0; k <= degree; k++) {
-        if (!isfinite(c[k]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
-        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
-        zero = zero && c[k] == 0 && (!r || r[k] == 0);
+/* Of the set of polynomials within the radii. */
+static algsurf_status solve_set(task *t) {
+    const algsurf_i_line *s = &t->line;
+    algsurf_bracket *b = t->room;
+    int first = s->wanted == ALGSURF_I_FIRST, most = s->p.degree > 0 ? s->p.degree : 1, found = 0;
+    if (may_vanish(&s->p)) {
+        b[0] = (algsurf_bracket){s->lo, s->hi, ALGSURF_BRACKET_UNDECIDED, 0, most, ALGSURF_UNDECIDED_ZERO};
+        t->count = 1;
+        return ALGSURF_OK;
     }
-    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
-}
-
-static int has_radii(const task *t) {
-    for (int k = 0; t->p.r && k <= t->p.degree; k++)
-        if (t->p.r[k] > 0) return 1;
-    return 0;
-}
-
-static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
-    algsurf_status status = check(t->p.c, t->p.r, t->p.degree, t->lo, t->hi);
-    if (status != ALGSURF_OK) return status;
-    int radii = has_radii(t), whole = t->lo == -HUGE_VAL && t->hi == HUGE_VAL;
-    if (t->wanted == ALGSURF_I_NUMBER && (radii || !whole)) t->wanted = ALGSURF_I_ALL;
-    if (!radii) return solve_exact(t);
-    t->b = t->room;
-    while (t->p.c[t->p.degree] == 0 && t->p.r[t->p.degree] == 0) t->p.degree--;
-    if (!may_vanish(&t->p)) return solve_set(t);
-    all_undecided(t);
-    return ALGSURF_OK;
-}
-
-/* The first undecided reason is the status. */
-static algsurf_status run(task *t) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = check_and_isolate(t);
-    if (status >= 0 && t->to && t->count > t->most) status = ALGSURF_E_ARGUMENT;
-    for (int i = 0; status >= 0 && t->to && i < t->count; i++) t->to[i] = bracket_at(t, i);
-    algsurf_fpenv_leave(&saved);
-    for (int i = 0; status == ALGSURF_OK && t->b && i < t->count; i++) status = t->b[i].status;
+    int level = algsurf_i_is_level(&s->p, fmax(fabs(s->lo), fabs(s->hi)));
+    if (algsurf_i_walk(&s->p, s->lo, s->hi, level, first ? 1 : t->capacity, b, &t->count, s->watch))
+        return ALGSURF_OK;
+    double rest = t->count > 0 ? b[t->count - 1].hi : s->lo;
+    algsurf_status status =
+        algsurf_i_decide_ranges(&s->p, rest, s->hi, b + t->count, t->capacity - t->count, &found, s->watch);
+    t->count += found;
+    if (first && t->count > 1) t->count = 1;
     return status;
 }
 
-static int begin(task *t, const double *c, const double *r, int degree, double lo, double hi, int wanted,
-                 const algsurf_i_watch *watch, algsurf_bracket *to, int most) {
-    int many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
-    t->p = (algsurf_i_coefficients){c, r, degree};
-    t->lo = lo, t->hi = hi, t->wanted = wanted;
-    t->watch = watch && watch->observer ? watch : NULL;
-    t->to = to, t->most = most;
-    t->b = NULL, t->roots = NULL, t->count = 0, t->capacity = degree > 0 ? degree : 1;
-    t->room = many ? malloc((size_t)degree * sizeof *t->few) : t->few;
-    return t->room != NULL;
+static algsurf_bracket bracket_of(const algsurf_real_root *r) {
+    int exact = r->lo == r->hi, kind = exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
+    return (algsurf_bracket){r->lo, r->hi, kind, exact ? 0 : r->sign, r->multiplicity, ALGSURF_OK};
 }
 
-static void end(task *t) {
-    if (t->room != t->few) free(t->room);
+/* To the caller.  The first undecided reason is the status. */
+static algsurf_status give(task *t) {
+    const algsurf_bracket *set = t->room;
+    const algsurf_real_root *exact = t->room;
+    algsurf_status status = ALGSURF_OK;
+    t->certain = t->count;
+    if (t->to && t->count > t->most) return ALGSURF_E_ARGUMENT;
+    for (int i = 0; i < t->count && t->line.wanted != ALGSURF_I_NUMBER; i++) {
+        algsurf_bracket b = t->line.p.r ? set[i] : bracket_of(exact + i);
+        if (t->to) t->to[i] = b;
+        t->certain -= b.kind == ALGSURF_BRACKET_UNDECIDED;
+        if (status == ALGSURF_OK) status = b.status;
+    }
+    return status;
 }
 
-static int read_options(const algsurf_isolate_options *given, algsurf_observer **observer) {
-    algsurf_isolate_options known;
-    *observer = NULL;
-    if (!given) return 1;
-    if (!algsurf_options_read(&known, sizeof known, given)) return 0;
-    *observer = known.observer;
-    return algsurf_i_observer_is_good(known.observer);
+static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
+    algsurf_i_line *line = &t->line;
+    if (!has_shape(line)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_coefficients(&line->p);
+    if (status != ALGSURF_OK) return status;
+    int whole = line->lo == -HUGE_VAL && line->hi == HUGE_VAL;
+    if (line->wanted == ALGSURF_I_NUMBER && (line->p.r || !whole)) line->wanted = ALGSURF_I_ALL;
+    status = line->p.r ? solve_set(t) : algsurf_i_line_solve(line, t->room, &t->count);
+    return status == ALGSURF_OK ? give(t) : status;
+}
+
+/* Of the roots, or places, that are wanted, those in brackets that are asked for. */
+static algsurf_status isolate(task *t, const algsurf_isolate_options *given) {
+    algsurf_isolate_options options = {.observer = NULL};
+    algsurf_i_watch watch = {.observer = NULL};
+    place few[ALGSURF_MAX_DEGREE + 1];
+    int degree = t->line.p.degree, many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
+    if (given && !algsurf_options_read(&options, sizeof options, given)) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_observer_is_good(watch.observer = options.observer)) return ALGSURF_E_ARGUMENT;
+    if (watch.observer) t->line.watch = &watch;
+    t->room = many ? malloc((size_t)degree * sizeof *few) : few;
+    t->capacity = degree > 0 ? degree : 1;
+    if (!t->room) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status;
+    ALGSURF_STANDARD(status = check_and_isolate(t));
+    if (many) free(t->room);
+    return status;
 }
 
 algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
                                      const algsurf_isolate_options *options, algsurf_bracket *bracket,
                                      int *found) {
-    task t;
-    algsurf_i_watch watch = {.observer = NULL};
-    if (!bracket || !found || !read_options(options, &watch.observer)) return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_FIRST, &watch, bracket, 1)) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(&t);
+    if (!bracket || !found) return ALGSURF_E_ARGUMENT;
+    task t = {.line = {.p = {c, r, degree}, .lo = lo, .hi = hi, .wanted = ALGSURF_I_FIRST}};
+    t.to = bracket, t.most = 1;
+    algsurf_status status = isolate(&t, options);
     if (status >= 0) *found = t.count;
-    end(&t);
     return status;
 }
 
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_isolate_options *options, algsurf_bracket *brackets,
                                    int capacity, int *count) {
-    task t;
-    algsurf_i_watch watch = {.observer = NULL};
-    if (!brackets || !count || capacity < 0 || !read_options(options, &watch.observer))
-        return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_ALL, &watch, brackets, capacity))
-        return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(&t);
+    if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
+    task t = {.line = {.p = {c, r, degree}, .lo = lo, .hi = hi, .wanted = ALGSURF_I_ALL}};
+    t.to = brackets, t.most = capacity;
+    algsurf_status status = isolate(&t, options);
     if (status >= 0) *count = t.count;
-    end(&t);
     return status;
 }
 
-/* The roots that are certain. */
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
-    task t;
-    int undecided = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_NUMBER, NULL, NULL, 0)) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(&t);
-    for (int i = 0; status >= 0 && t.b && i < t.count; i++)
-        undecided += t.b[i].kind == ALGSURF_BRACKET_UNDECIDED;
-    if (status >= 0) *count = t.count - undecided;
-    end(&t);
+    task t = {.line = {.p = {c, r, degree}, .lo = lo, .hi = hi, .wanted = ALGSURF_I_NUMBER}};
+    algsurf_status status = isolate(&t, NULL);
+    if (status >= 0) *count = t.certain;
     return status;
 }

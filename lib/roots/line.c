@@ -23,18 +23,9 @@
 #include "../base/fpenv.h"
 #include "../complex/boxes.h"
 #include "../poly/value.h"
-#include "decide.h"
 #include "exact_walk.h"
-#include "integers.h"
 #include "polys.h"
-#include "low.h"
-#include "power.h"
 #include "refine_impl.h"
-#include "walk.h"
-
-static algsurf_i_coefficients doubles_of(const algsurf_i_line *line) {
-    return (algsurf_i_coefficients){line->p.c, NULL, line->p.degree};
-}
 
 /* ---- roots that are final ---- */
 
@@ -48,12 +39,10 @@ static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
                : hi;
 }
 
-static int is_final(const algsurf_real_root *r) { return !(algsurf_exact_between(r->lo, r->hi) < r->hi); }
-
 /* A root at which p changes its sign, and no other one is in (lo,hi): to neighbours.  0: no memory. */
 static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     double between;
-    while ((between = algsurf_exact_between(r->lo, r->hi)) < r->hi) {
+    while ((between = algsurf_i_between(r->lo, r->hi)) < r->hi) {
         int sign = algsurf_i_sign_at(p, between);
         if (sign == ALGSURF_SIGN_UNKNOWN) return 0;
         if (sign != -r->sign) r->lo = between;
@@ -65,7 +54,7 @@ static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
 /* The same from farther away. */
 static int make_final(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     algsurf_refined_root found;
-    if (!is_final(r)) {
+    if (algsurf_i_between(r->lo, r->hi) < r->hi) {
         if (algsurf_i_refine_bracket(p, r->lo, r->hi, &found) != ALGSURF_OK) return 0;
         r->lo = found.lo, r->hi = found.hi;
         if (!halve(p, r)) return 0;
@@ -74,33 +63,23 @@ static int make_final(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     return 1;
 }
 
-/* ---- boxes ---- */
-
 /* ---- doubles, integers ---- */
 
-/* Simple roots in brackets side by side, where nothing can overflow; multiplicity 0: not known. */
-static void settle_brackets(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                            algsurf_real_root *roots) {
-    const algsurf_i_coefficients middle = {p->c, NULL, p->degree};
+/* Simple roots in brackets side by side, where nothing can overflow; multiplicity 0: still there. */
+static void settle_brackets(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
     double most = ldexp(1, 400 / p->degree), largest = 0;
     for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
-    int fits = largest <= 0x1p401 && (count == 0 || (b[0].lo >= -most && b[count - 1].hi <= most));
-    if (fits) algsurf_i_roots_settle_fastest()(&middle, b, count, roots);
+    int fits = largest <= 0x1p401 && (count == 0 || (roots[0].lo >= -most && roots[count - 1].hi <= most));
+    if (fits) algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL))->settle(p, roots, count);
     for (int i = 0; i < count && !fits; i++) roots[i].multiplicity = 0;
 }
 
-static algsurf_real_root root_of(const algsurf_bracket *b) {
-    return (algsurf_real_root){b->lo, b->lo, b->hi, 1, b->sign};
-}
-
 /* Roots in brackets of certain signs, refined; returns how many of them, from the first on. */
-static int take_refined(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                        algsurf_real_root *roots) {
-    settle_brackets(p, b, count, roots);
+static int refine_brackets(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
+    settle_brackets(p, roots, count);
     for (int i = 0; i < count; i++) {
-        if (roots[i].multiplicity) continue;
-        roots[i] = root_of(b + i);
-        if (!make_final(p, roots + i)) return i;
+        if (!roots[i].multiplicity && !make_final(p, roots + i)) return i;
+        roots[i].multiplicity = 1;
     }
     return count;
 }
@@ -108,11 +87,11 @@ static int take_refined(const algsurf_i_coefficients *p, const algsurf_bracket *
 /* What doubles have isolated becomes roots, as asked for; returns how many of them, from the first on. */
 static int take_brackets(const algsurf_i_line *line, const algsurf_i_coefficients *p,
                          const algsurf_bracket *b, int count, algsurf_real_root *roots) {
-    if (line->refined && !line->p.z) return take_refined(p, b, count, roots);
-    if (line->refined) settle_brackets(p, b, count, roots);
-    if (line->refined) return algsurf_i_integers_close_in(&line->p, b, count, roots);
-    for (int i = 0; i < count; i++) roots[i] = root_of(b + i);
-    return count;
+    for (int i = 0; i < count; i++) roots[i] = (algsurf_real_root){b[i].lo, b[i].lo, b[i].hi, 1, b[i].sign};
+    if (!line->refined) return count;
+    if (!line->z) return refine_brackets(p, roots, count);
+    settle_brackets(p, roots, count);
+    return algsurf_i_integers_close_in(line, b, count, roots);
 }
 
 /* ---- all at once ---- */
@@ -123,11 +102,11 @@ static int is_whole(const algsurf_i_line *line) { return isinf(line->lo) && isin
  * piece does not hold what is asked for. */
 static int all_roots(const algsurf_i_line *line, int level, algsurf_real_root *all) {
     algsurf_complex_root box[ALGSURF_MOST_ROOTS_IN_LANES];
-    const algsurf_i_coefficients p = doubles_of(line);
-    int n = p.degree, sign = (p.c[n] > 0) == (n % 2 == 0) ? 1 : -1, count = 0;
-    if (n <= 2) return algsurf_i_low_roots(&p, all);
+    const double *c = line->p.c;
+    int n = line->p.degree, sign = (c[n] > 0) == (n % 2 == 0) ? 1 : -1, count = 0;
+    if (n <= 2) return algsurf_i_low_roots(&line->p, all);
     if (level || line->wide || n > ALGSURF_MOST_ROOTS_IN_LANES ||
-        !algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL))->one(p.c, NULL, 1, n, box))
+        !algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL))->one(c, NULL, 1, n, box))
         return -1;
     for (int i = 0; i < n; i++) {
         if (!box[i].real) continue;
@@ -139,25 +118,22 @@ static int all_roots(const algsurf_i_line *line, int level, algsurf_real_root *a
 
 /* Boxes are nearly final; what formulas tell is settled like brackets. */
 static int refine_all(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
-    algsurf_bracket b[2];
+    if (p->degree <= 2) return refine_brackets(p, roots, count) == count;
     for (int i = 0; i < count; i++) {
-        if (p->degree > 2 && !halve(p, roots + i)) return 0;
-        if (p->degree > 2) roots[i].root = nearer(p, roots[i].lo, roots[i].hi);
-        if (p->degree <= 2)
-            b[i] = (algsurf_bracket){.lo = roots[i].lo, .hi = roots[i].hi, .sign = roots[i].sign};
+        if (!halve(p, roots + i)) return 0;
+        roots[i].root = nearer(p, roots[i].lo, roots[i].hi);
     }
-    return p->degree > 2 || take_refined(p, b, count, roots) == count;
+    return 1;
 }
 
 /* The roots that are asked for; returns 0 where they are not to be had so. */
 static ALGSURF_NOINLINE int at_once(const algsurf_i_line *line, int level, algsurf_real_root *roots,
                                     int *count) {
     algsurf_real_root all[ALGSURF_MOST_ROOTS_IN_LANES];
-    const algsurf_i_coefficients p = doubles_of(line);
     int n = all_roots(line, level, all), found = 0;
     for (int i = 0; i < n && !(line->wanted == ALGSURF_I_FIRST && found); i++)
-        if (algsurf_i_is_inside(&p, line->lo, line->hi, all + i)) roots[found++] = all[i];
-    if (n < 0 || (line->refined && !refine_all(&p, roots, found))) return 0;
+        if (algsurf_i_is_inside(&line->p, line->lo, line->hi, all + i)) roots[found++] = all[i];
+    if (n < 0 || (line->refined && !refine_all(&line->p, roots, found))) return 0;
     *count = found;
     return 1;
 }
@@ -176,35 +152,33 @@ static ALGSURF_NOINLINE int in_doubles(const algsurf_i_line *line, const algsurf
 /* p: what doubles know, of a degree they can take; or null. */
 static ALGSURF_NOINLINE algsurf_status by_walk(const algsurf_i_line *line, const algsurf_i_coefficients *p,
                                                int level, algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients exact = doubles_of(line);
-    int most = line->wanted == ALGSURF_I_FIRST ? 1 : line->p.degree, taken = 0;
-    double lo = line->lo, hi = line->hi;
-    if (p && in_doubles(line, p, level, most, roots, &taken, &lo)) return *count = taken, ALGSURF_OK;
-    if (exact.c && exact.c[0] != 0) algsurf_i_cut_near(&exact, &lo, &hi);
+    const algsurf_i_coefficients *exact = &line->p;
+    algsurf_i_line rest = *line;
+    int most = line->wanted == ALGSURF_I_FIRST ? 1 : exact->degree, taken = 0;
+    int done = p && in_doubles(line, p, level, most, roots, &taken, &rest.lo);
     *count = taken;
-    if (lo > hi) return ALGSURF_OK;
-    algsurf_status status =
-        algsurf_i_decide(&line->p, lo, hi, line->refined, roots + taken, most - taken, count, line->watch);
+    if (!done && exact->c && exact->c[0] != 0) algsurf_i_cut_near(exact, &rest.lo, &rest.hi);
+    if (done || rest.lo > rest.hi) return ALGSURF_OK;
+    algsurf_status status = algsurf_i_decide(&rest, roots + taken, most - taken, count);
     *count += taken;
-    for (int i = taken; line->refined && exact.c && i < *count; i++)
-        roots[i].root = nearer(&exact, roots[i].lo, roots[i].hi);
+    for (int i = taken; line->refined && exact->c && i < *count; i++)
+        roots[i].root = nearer(exact, roots[i].lo, roots[i].hi);
     return status;
 }
 
 /* To where roots can be; returns whether one piece holds that. */
 static int cut(algsurf_i_line *line) {
-    const algsurf_i_coefficients p = doubles_of(line);
-    algsurf_i_cut_far(&p, &line->lo, &line->hi);
-    return algsurf_i_is_level(&p, fmax(fabs(line->lo), fabs(line->hi)));
+    algsurf_i_cut_far(&line->p, &line->lo, &line->hi);
+    return algsurf_i_is_level(&line->p, fmax(fabs(line->lo), fabs(line->hi)));
 }
 
 static ALGSURF_NOINLINE algsurf_status walk_doubles(algsurf_i_line line, int level, algsurf_real_root *roots,
                                                     int *count) {
-    const algsurf_i_coefficients p = doubles_of(&line);
+    const algsurf_i_coefficients *p = &line.p;
     *count = 0;
     if (is_whole(&line)) level = cut(&line);
-    if (line.lo > line.hi || (line.lo == line.hi && algsurf_i_sign_at(&p, line.lo) != 0)) return ALGSURF_OK;
-    return by_walk(&line, p.degree <= ALGSURF_MAX_DEGREE ? &p : NULL, level, roots, count);
+    if (line.lo > line.hi || (line.lo == line.hi && algsurf_i_sign_at(p, line.lo) != 0)) return ALGSURF_OK;
+    return by_walk(&line, p->degree <= ALGSURF_MAX_DEGREE ? p : NULL, level, roots, count);
 }
 
 /* ---- powers ---- */
@@ -213,10 +187,10 @@ static algsurf_status solve(const algsurf_i_line *line, algsurf_real_root *roots
 
 /* By the roots of q, all of them; returns 0 when p itself has to be looked at. */
 static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients p = doubles_of(line);
+    const algsurf_i_coefficients *p = &line->p;
     algsurf_i_power w;
     algsurf_i_watch watch;
-    if (!algsurf_i_power_of(p.c, p.degree, &w)) return 0;
+    if (!algsurf_i_power_of(p->c, p->degree, &w)) return 0;
     algsurf_i_line inner = *line;
     inner.p.c = w.q;
     inner.p.degree = w.degree;
@@ -233,9 +207,9 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
         *count *= w.step % 2 ? 1 : 2;
         return 1;
     }
-    if (!algsurf_i_power_roots(&w, p.c, line->lo, line->hi, roots, count)) return 0;
+    if (!algsurf_i_power_roots(&w, p, line->lo, line->hi, roots, count)) return 0;
     for (int i = 0; line->refined && i < *count; i++)
-        if (!make_final(&p, roots + i)) return 0;
+        if (!make_final(p, roots + i)) return 0;
     if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;
     return 1;
 }
@@ -244,15 +218,15 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
 
 /* p_0 and p's leading coefficient are not 0.  Whoever watches sees a walk, and gets the same bits. */
 static algsurf_status solve(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients p = doubles_of(line);
+    const algsurf_i_coefficients *p = &line->p;
     algsurf_i_line part;
     int number = line->wanted == ALGSURF_I_NUMBER, level = 0;
     *count = 0;
-    if (p.degree == 0) return ALGSURF_OK;
-    if (number && is_whole(line) && (*count = algsurf_i_low_number(&p)) >= 0) return ALGSURF_OK;
+    if (p->degree == 0) return ALGSURF_OK;
+    if (number && is_whole(line) && (*count = algsurf_i_low_number(p)) >= 0) return ALGSURF_OK;
     if (number && by_power(line, roots, count)) return ALGSURF_OK;
-    if (p.degree > 2) level = algsurf_i_is_level(&p, fmax(fabs(line->lo), fabs(line->hi)));
-    if (p.degree > 2 && !level && !is_whole(line)) {
+    if (p->degree > 2) level = algsurf_i_is_level(p, fmax(fabs(line->lo), fabs(line->hi)));
+    if (p->degree > 2 && !level && !is_whole(line)) {
         part = *line;
         level = cut(&part);
         line = &part;
@@ -266,22 +240,21 @@ static algsurf_status solve(const algsurf_i_line *line, algsurf_real_root *roots
 
 /* Roots of p / t^m become those of p: with 0, and signs of t^m; returns 0 where that will not do. */
 static int put_zero(const algsurf_i_line *line, int zeros, algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients p = doubles_of(line);
     int below = 0, n = *count, inside = line->lo <= 0 && line->hi >= 0;
     if (line->wanted == ALGSURF_I_NUMBER) return ++*count;
     for (int i = 0; i < n; i++) {
-        if (!algsurf_i_leave_zero(&p, roots + i)) return 0;
+        if (!algsurf_i_leave_zero(&line->p, roots + i)) return 0;
         if (roots[i].lo < 0 || roots[i].hi < 0) below = i + 1;
     }
     for (int i = 0; i < below && zeros % 2; i++) roots[i].sign = -roots[i].sign;
     if (!inside) return 1;
     for (int i = n; i > below; i--) roots[i] = roots[i - 1];
-    roots[below] = (algsurf_real_root){0, 0, 0, zeros, (p.c[0] > 0) == (zeros % 2 == 0) ? 1 : -1};
+    roots[below] = (algsurf_real_root){0, 0, 0, zeros, (line->p.c[0] > 0) == (zeros % 2 == 0) ? 1 : -1};
     ++*count;
     return 1;
 }
 
-/* Leading zeros have gone; 0 is a root. */
+/* 0 is a root. */
 static ALGSURF_NOINLINE algsurf_status solve_with_zero(const algsurf_i_line *line, algsurf_real_root *roots,
                                                        int *count) {
     int zeros = 0;
@@ -299,11 +272,6 @@ static ALGSURF_NOINLINE algsurf_status solve_with_zero(const algsurf_i_line *lin
 }
 
 static algsurf_status solve_doubles(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
-    if (line->p.c[line->p.degree] == 0) {
-        algsurf_i_line lower = *line;
-        while (lower.p.c[lower.p.degree] == 0) lower.p.degree--;
-        return solve_doubles(&lower, roots, count);
-    }
     return line->p.c[0] == 0 ? solve_with_zero(line, roots, count) : solve(line, roots, count);
 }
 
@@ -312,19 +280,18 @@ static ALGSURF_NOINLINE algsurf_status solve_integers(const algsurf_i_line *line
                                                       int *count) {
     double c[ALGSURF_MAX_DEGREE + 1], r[ALGSURF_MAX_DEGREE + 1];
     algsurf_i_coefficients p = {c, r, 0};
-    int rounded = 0, level;
-    if (!algsurf_i_integers_round(&line->p, c, r, &p.degree)) return by_walk(line, NULL, 0, roots, count);
-    for (int k = 0; k <= p.degree; k++) rounded |= r[k] > 0;
+    if (!algsurf_i_integers_round(line, c, r, &p.degree)) return by_walk(line, NULL, 0, roots, count);
+    (void)algsurf_i_check_coefficients(&p);
     if (p.degree == 0) return ALGSURF_OK;
-    level = algsurf_i_is_level(&p, fmax(fabs(line->lo), fabs(line->hi)));
-    if (rounded) return by_walk(line, &p, level, roots, count);
+    int level = algsurf_i_is_level(&p, fmax(fabs(line->lo), fabs(line->hi)));
+    if (p.r) return by_walk(line, &p, level, roots, count);
     algsurf_i_line exact = *line;
-    exact.p = (algsurf_i_given){c, NULL, p.degree};
+    exact.p = p, exact.z = NULL;
     return solve_doubles(&exact, roots, count);
 }
 
 algsurf_status algsurf_i_line_solve(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
     *count = 0;
     if (line->lo == HUGE_VAL || line->hi == -HUGE_VAL) return ALGSURF_OK; /* [inf,inf] holds no number */
-    return line->p.c ? solve_doubles(line, roots, count) : solve_integers(line, roots, count);
+    return !line->z ? solve_doubles(line, roots, count) : solve_integers(line, roots, count);
 }

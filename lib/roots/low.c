@@ -9,7 +9,7 @@
  * Discriminant.  A term rounds six times at most, the sum four times: 10 u of the sum of their sizes, to
  * first order, taken as 32 u.  Nothing underflows where coefficients are 0 or within 2^+-200. */
 #include "../base/arithmetic.h"
-#include "low.h"
+#include "line.h"
 
 #include <math.h>
 

@@ -26,16 +26,6 @@ typedef struct algsurf_i_polys_job {
     int *found;               /* and how many; -1: undecided */
 } algsurf_i_polys_job;
 
-typedef struct algsurf_i_roots_kernel {
-    /* state and root of the first `count` polynomials; of an undecided one only the state means something.
-     * Returns 0 if there is none. */
-    int (*solve)(const algsurf_i_polys_job *job, size_t count);
-    /* roots and found of the first `count` polynomials, which have no radii. */
-    void (*solve_all)(const algsurf_i_polys_job *job, size_t count);
-    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; the answers are not touched. */
-    int (*good)(const algsurf_i_polys_job *job, size_t count);
-} algsurf_i_roots_kernel;
-
 /* Brackets of the roots of p, of degree 1 to ALGSURF_MAX_DEGREE, in a finite interval lo < hi, in order, at
  * most `most`; each with its ends at doubles of certain sign, and no root before it but in those before.
  * Returns 1 when these are all, or as many as wanted; 0: what comes after them is undecided.  watch: null, or
@@ -45,17 +35,20 @@ typedef int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, d
 algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx2,
     algsurf_i_roots_single_baseline;
 
-/* The roots in `count` brackets of p, each simple and alone there, as algsurf_real_root; multiplicity 0: not
- * known.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
-typedef void algsurf_i_roots_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                                    algsurf_real_root *roots);
-algsurf_i_roots_settle algsurf_i_roots_settle_avx512, algsurf_i_roots_settle_avx2,
-    algsurf_i_roots_settle_baseline;
+typedef struct algsurf_i_roots_kernel {
+    /* state and root of the first `count` polynomials; of an undecided one only the state means something.
+     * Returns 0 if there is none. */
+    int (*solve)(const algsurf_i_polys_job *job, size_t count);
+    /* roots and found of the first `count` polynomials, which have no radii. */
+    void (*solve_all)(const algsurf_i_polys_job *job, size_t count);
+    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; the answers are not touched. */
+    int (*good)(const algsurf_i_polys_job *job, size_t count);
+    algsurf_i_roots_single *single;
+    /* Roots of p, each simple and alone in (lo,hi), with the sign before it, become final; multiplicity 0:
+     * one that stays.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
+    void (*settle)(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count);
+} algsurf_i_roots_kernel;
 
 ALGSURF_KERNEL_TABLES(roots);
-
-/* The fastest for single polynomials. */
-algsurf_i_roots_single *algsurf_i_roots_single_fastest(void);
-algsurf_i_roots_settle *algsurf_i_roots_settle_fastest(void);
 
 #endif

@@ -11,21 +11,13 @@
  * That A and B are neighbours does not make a and b neighbours: subnormal numbers are far apart for their
  * size, and between their roots are many doubles. */
 #include "../base/arithmetic.h"
-#include "power.h"
+#include "line.h"
 
 #include <math.h>
 #include <stddef.h>
 
 #include "../base/eft.h"
-#include "coefficients.h"
-#include "walk.h"
 #include "../base/elementary.h"
-
-/* A root of q by its size, and of p: 0 <= lo < root < hi, or lo = root = hi.  side: -1 below 0. */
-typedef struct place {
-    double lo, hi;
-    int side, before, odd; /* the sign of q nearer to 0; is the multiplicity odd? */
-} place;
 
 static int greatest_divisor(int a, int b) { return b ? greatest_divisor(b, a % b) : a; }
 
@@ -90,58 +82,31 @@ static double root_below(double y, int k) {
     return compare_power(x, k, y) == 0 ? x : nextafter(x, 0);
 }
 
-/* The sign of q at side x^k. */
-static int sign_at(const algsurf_i_power *w, const double *c, const place *r, double x) {
-    const algsurf_i_coefficients p = {c, NULL, w->step * w->degree};
-    return algsurf_i_sign_at(&p, r->side * x);
-}
-
-/* q's root by its size; 0: that cannot be told. */
-static int set_place(const algsurf_i_power *w, algsurf_real_root *b, place *r) {
-    const algsurf_i_coefficients q = {w->q, NULL, w->degree};
-    if (!algsurf_i_leave_zero(&q, b)) return 0;
-    int after = b->multiplicity % 2 ? -b->sign : b->sign;
-    r->odd = b->multiplicity % 2;
-    r->side = b->hi <= 0 ? -1 : 1;
-    r->before = r->side > 0 ? b->sign : after;
-    r->lo = r->side > 0 ? b->lo : -b->hi;
-    r->hi = r->side > 0 ? b->hi : -b->lo;
-    return r->lo > 0 && isfinite(r->hi);
-}
-
 /* Ends near those of q's bracket. */
-static int take_roots_of_ends(const algsurf_i_power *w, const double *c, place *r) {
+static int take_roots_of_ends(const algsurf_i_power *w, const algsurf_i_coefficients *p, int side,
+                              algsurf_real_root *r) {
     int k = w->step;
     double a = algsurf_i_pow(r->lo, 1.0 / k) * (1 + 0x1p-48),
            b = algsurf_i_pow(r->hi, 1.0 / k) * (1 - 0x1p-48);
     if (!(a < b) || compare_power(a, k, r->lo) < 0 || compare_power(b, k, r->hi) > 0) return 0;
-    if (sign_at(w, c, r, a) != r->before || sign_at(w, c, r, b) != -r->before) return 0;
+    if (algsurf_i_sign_at(p, side * a) != r->sign || algsurf_i_sign_at(p, side * b) != -r->sign) return 0;
     r->lo = a;
     r->hi = b;
     return 1;
 }
 
-static int take_neighbours(const algsurf_i_power *w, const double *c, place *r) {
+static int take_neighbours(const algsurf_i_power *w, const algsurf_i_coefficients *p, int side,
+                           algsurf_real_root *r) {
     int k = w->step, exact = r->lo == r->hi;
     double a = root_above(r->lo, k), b = root_below(r->hi, k);
     r->lo = b;
     r->hi = a;
     if (a > b || exact) return 1;
-    if (!r->odd) return 0;
-    int at_a = sign_at(w, c, r, a), at_b = sign_at(w, c, r, b);
+    if (r->multiplicity % 2 == 0) return 0;
+    int at_a = algsurf_i_sign_at(p, side * a), at_b = algsurf_i_sign_at(p, side * b);
     if (at_a == 0 || at_b == 0) return 0;
-    r->lo = at_a != r->before ? nextafter(a, 0) : at_b == r->before ? b : a;
-    r->hi = at_a != r->before ? a : at_b == r->before ? nextafter(b, HUGE_VAL) : b;
-    return 1;
-}
-
-/* p's root on the side where q's is, or above 0; 0: it cannot be told. */
-static int take_root(const algsurf_i_power *w, const double *c, algsurf_real_root *b) {
-    place r;
-    if (!set_place(w, b, &r)) return 0;
-    if (!(r.odd && r.lo < r.hi && take_roots_of_ends(w, c, &r)) && !take_neighbours(w, c, &r)) return 0;
-    b->lo = r.side > 0 ? r.lo : -r.hi;
-    b->hi = r.side > 0 ? r.hi : -r.lo;
+    r->lo = at_a != r->sign ? nextafter(a, 0) : at_b == r->sign ? b : a;
+    r->hi = at_a != r->sign ? a : at_b == r->sign ? nextafter(b, HUGE_VAL) : b;
     return 1;
 }
 
@@ -153,17 +118,28 @@ static algsurf_real_root mirrored(const algsurf_real_root *b) {
     return m;
 }
 
-int algsurf_i_power_roots(const algsurf_i_power *w, const double *c, double lo, double hi,
+/* q's root becomes p's on the same side of 0; 0: it cannot be told. */
+static int take_root(const algsurf_i_power *w, const algsurf_i_coefficients *p, algsurf_real_root *root) {
+    const algsurf_i_coefficients q = {w->q, NULL, w->degree};
+    if (!algsurf_i_leave_zero(&q, root)) return 0;
+    int side = root->hi <= 0 ? -1 : 1, simple = root->multiplicity % 2 && root->lo < root->hi;
+    algsurf_real_root r = side < 0 ? mirrored(root) : *root;
+    if (!(r.lo > 0 && isfinite(r.hi))) return 0;
+    if (!(simple && take_roots_of_ends(w, p, side, &r)) && !take_neighbours(w, p, side, &r)) return 0;
+    *root = side < 0 ? mirrored(&r) : r;
+    return 1;
+}
+
+int algsurf_i_power_roots(const algsurf_i_power *w, const algsurf_i_coefficients *p, double lo, double hi,
                           algsurf_real_root *roots, int *count) {
-    const algsurf_i_coefficients p = {c, NULL, w->step * w->degree};
     int n = *count, even = w->step % 2 == 0;
     for (int i = 0; i < n; i++)
-        if (!take_root(w, c, roots + i)) return 0;
+        if (!take_root(w, p, roots + i)) return 0;
     for (int i = n - 1; even && i >= 0; i--) roots[i + n] = roots[i];
     for (int i = 0; even && i < n; i++) roots[i] = mirrored(roots + 2 * n - 1 - i);
     n = even ? 2 * n : n;
     *count = 0;
     for (int i = 0; i < n; i++)
-        if (algsurf_i_is_inside(&p, lo, hi, roots + i)) roots[(*count)++] = roots[i];
+        if (algsurf_i_is_inside(p, lo, hi, roots + i)) roots[(*count)++] = roots[i];
     return 1;
 }

@@ -4,18 +4,28 @@
  * root in [lo,hi].  So each has the same sign from lo to the first range and from the last one to hi, and if
  * those differ, a root between.  The final bracket is what spans the ranges and that of the middle
  * polynomial; only this one is refined by steps.
- */
+ *
+ * Certain values are plain or compensated where the bound tells their sign, else exact.  With |t| <
+ * 2^(unit+1), u = t / 2^unit and coefficients c_k 2^(k unit + exponent) below 2, |u| < 2: a sum is below (n +
+ * 1) 2^(n+1)
+ * <= 2^523, and nothing overflows.  Where no c_k exceeds 2^401 and |t|^n stays below 2^400 they are left as
+ * they are.  What becomes subnormal is off by 2^-1075 at most, which is less than its radius.
+ *
+ * Horner's rule is off by at most 2 n u S (first order), S = sum |c_k| |u|^k (Higham 2002, 5.1), and by what
+ * underflow loses in products and coefficients: 2^-1074 each, times at most 2^513, together below 2^-550.
+ * (2 n + 4) u S covers the higher orders, and the rounding of S. */
 #include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "algsurf/refine.h"
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
-#include "decide.h"
+#include "../poly/value.h"
+#include "line.h"
 #include "refine_impl.h"
-#include "search.h"
 
 /* ---- what both entries share ---- */
 
@@ -93,10 +103,88 @@ algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const d
 
 /* ---- a polynomial ---- */
 
+/* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */
+typedef struct polynomial {
+    algsurf_i_coefficients given; /* the caller's, without radii */
+    const double *c, *r;          /* r: what scaling may have lost, or null */
+    int unit, exponent;
+    double newton; /* Newton's step at the last point: from certain_value */
+    int no_memory; /* a value could not be told, and is NaN */
+    algsurf_function inner;
+    int engine;                 /* that found the last value: set to the doubles' by who asks */
+    algsurf_observer *observer; /* null: nobody looks */
+} polynomial;
+
+enum { MODEST = 400 };
+#define NEAR 0x1p10 /* values are off by less than 1/NEAR of themselves: near enough for a step */
+
+static double shift(double x, int e) { return e == 0 ? x : ldexp(x, e); }
+
+/* For |t| <= farthest, if there is need, with unit and exponent 0 before. */
+static void scale(polynomial *p, double farthest, double *c, double *r) {
+    int n = p->given.degree, unit = farthest > 0 ? ilogb(farthest) : 0;
+    double largest = 0;
+    for (int k = 0; k <= n; k++) largest = fmax(largest, fabs(p->c[k]));
+    int modest = largest < 0x1p401 && largest > 0x1p-401 && n * (abs(unit) + 1) <= MODEST;
+    if (largest == 0 || modest) return;
+    p->unit = unit;
+    p->exponent = -algsurf_i_scale(&p->given, unit, c, r);
+    p->c = c;
+    p->r = r;
+}
+
+/* p from a scaled value; what is not zero stays so. */
+static double unscaled(const polynomial *p, double y) {
+    double value = ldexp(y, -p->exponent);
+    return value == 0 && y != 0 ? copysign(DBL_TRUE_MIN, y) : value;
+}
+
+/* The sign at an infinite end. */
+static double value_at_infinity(const polynomial *p, double t) {
+    int n = p->given.degree;
+    while (n > 0 && p->given.c[n] == 0) n--;
+    return n == 0 ? p->given.c[0] : copysign(INFINITY, n % 2 && t < 0 ? -p->given.c[n] : p->given.c[n]);
+}
+
+/* Scaled; what underflows keeps its sign. */
+static ALGSURF_NOINLINE double exact_value(polynomial *p, double t) {
+    algsurf_i_value v;
+    p->engine = ALGSURF_ENGINE_INTEGERS;
+    if (isinf(t)) return value_at_infinity(p, t);
+    if (!algsurf_i_exact_value(&p->given, t, &v)) {
+        p->no_memory = 1;
+        return NAN;
+    }
+    p->newton = v.newton;
+    double y = ldexp(v.size, v.exponent + p->exponent);
+    return y == 0 && v.sign ? copysign(DBL_TRUE_MIN, v.sign) : y;
+}
+
+static double with_step(polynomial *p, double y, double slope) {
+    p->newton = shift(-y / slope, p->unit);
+    return y;
+}
+
+/* The scaled value at t, finite or not, with its certain sign; 0 for a root only. */
+static double certain_value(double t, void *data) {
+    polynomial *p = data;
+    int n = p->given.degree;
+    double u = shift(t, -p->unit), y = p->c[n], slope = 0, size = fabs(y), far = fabs(u);
+    if (isinf(t) || shift(u, p->unit) != t) return exact_value(p, t); /* u has underflowed */
+    for (int k = n - 1; k >= 0; k--) {
+        slope = slope * u + y;
+        y = y * u + p->c[k];
+        size = size * far + fabs(p->c[k]);
+    }
+    if (fabs(y) > 0x1p-500 && NEAR * (2 * n + 4) * 0x1p-53 * size < fabs(y)) return with_step(p, y, slope);
+    algsurf_i_bounded v = algsurf_i_compensated(p->c, p->r, n, u);
+    return NEAR * v.bound <= fabs(v.value) ? with_step(p, v.value, slope) : exact_value(p, t);
+}
+
 /* Horner's rule.  Coefficients are below 2^500 (balance), so a sum that overflows does so for |t| > 2 and
  * outweighs all that is still to come: the sign of an infinite value is right. */
 static double plain_value(double t, void *data) {
-    const algsurf_i_polynomial *p = data;
+    const polynomial *p = data;
     double y = p->c[p->given.degree];
     for (int i = p->given.degree - 1; i >= 0; i--) y = y * t + p->c[i];
     return y;
@@ -104,7 +192,7 @@ static double plain_value(double t, void *data) {
 
 /* The inner function, watched. */
 static double told(double t, void *data) {
-    algsurf_i_polynomial *p = data;
+    polynomial *p = data;
     p->engine = ALGSURF_ENGINE_DOUBLES;
     double y = p->inner(t, data);
     const algsurf_i_watch watch = {.observer = p->observer};
@@ -114,7 +202,7 @@ static double told(double t, void *data) {
 
 /* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor
  * overflow without need. */
-static void balance(algsurf_i_polynomial *p, double *room) {
+static void balance(polynomial *p, double *room) {
     int exponent = algsurf_i_common_exponent(&p->given, 0) + 1;
     if (exponent < -1074 || (exponent > -500 && exponent < 500)) return;
     for (int i = 0; i <= p->given.degree; i++) room[i] = ldexp(p->c[i], -exponent);
@@ -123,13 +211,13 @@ static void balance(algsurf_i_polynomial *p, double *room) {
 }
 
 /* Does a root lie between neighbouring doubles?  Signs tell nothing of two roots, nor of a double one. */
-static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
+static algsurf_status find_root_between(const polynomial *p, double lo, double hi) {
     const algsurf_i_watch watch = {.observer = p->observer};
+    const algsurf_i_line line = {
+        .p = p->given, .lo = lo, .hi = hi, .refined = 1, .watch = p->observer ? &watch : NULL};
     algsurf_real_root root;
     int count;
-    const algsurf_i_given given = {p->given.c, NULL, p->given.degree};
-    algsurf_status status =
-        algsurf_i_decide(&given, lo, hi, 1, &root, 1, &count, p->observer ? &watch : NULL);
+    algsurf_status status = algsurf_i_decide(&line, &root, 1, &count);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -149,10 +237,10 @@ static ALGSURF_NOINLINE algsurf_status span_roots(const algsurf_i_coefficients *
     return status == ALGSURF_OK && at_lo * at_hi != -1 ? ALGSURF_E_ARGUMENT : status;
 }
 
-static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
+static algsurf_status refine_certain(algsurf_i_search *s, polynomial *p, double lo, double hi,
                                      algsurf_refined_root *result) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
-    algsurf_i_polynomial_scale(p, fmin(fmax(fabs(lo), fabs(hi)), DBL_MAX), c, r);
+    scale(p, fmin(fmax(fabs(lo), fabs(hi)), DBL_MAX), c, r);
     s->rounding = 0x1p-53;
     s->settled = nextafter(lo, hi) == hi;
     int bracketed = algsurf_i_search_begin(s, lo, hi);
@@ -168,13 +256,13 @@ static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *
 
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
                                         algsurf_refined_root *result) {
-    algsurf_i_polynomial polynomial = {.given = *p, .c = p->c};
-    algsurf_i_search s = {.f = algsurf_i_polynomial_certain, .data = &polynomial, .max_iterations = 1000};
-    return refine_certain(&s, &polynomial, lo, hi, result);
+    polynomial whole = {.given = *p, .c = p->c};
+    algsurf_i_search s = {.f = certain_value, .data = &whole, .max_iterations = 1000};
+    return refine_certain(&s, &whole, lo, hi, result);
 }
 
-static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
-                                   int method, algsurf_refined_root *result) {
+static algsurf_status refine_plain(algsurf_i_search *s, polynomial *p, double lo, double hi, int method,
+                                   algsurf_refined_root *result) {
     double room[ALGSURF_MAX_POLY_DEGREE + 1];
     balance(p, room);
     int bracketed = algsurf_i_search_begin(s, lo, hi);
@@ -191,23 +279,18 @@ static algsurf_status check_ends(double lo, double hi, int method) {
     return lo <= hi ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-/* Are they as the header wants them?  Radii that are all 0 are none; leading zeros are left out. */
+/* The zero polynomial is one like others here; without radii, so are leading zeros. */
 static algsurf_status check_coefficients(algsurf_i_coefficients *p) {
-    int has_radii = 0;
-    for (int k = 0; k <= p->degree; k++) {
-        if (!isfinite(p->c[k]) || (p->r && !isfinite(p->r[k]))) return ALGSURF_E_NOT_FINITE;
-        if (p->r && p->r[k] < 0) return ALGSURF_E_ARGUMENT;
-        has_radii = has_radii || (p->r && p->r[k] > 0);
-    }
-    if (!has_radii) p->r = NULL;
-    while (p->r && p->c[p->degree] == 0 && p->r[p->degree] == 0) p->degree--;
-    return ALGSURF_OK;
+    int degree = p->degree;
+    algsurf_status status = algsurf_i_check_coefficients(p);
+    if (!p->r) p->degree = degree;
+    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
 static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_refined_root *result) {
-    algsurf_i_polynomial p = {.c = set.c};
+    polynomial p = {.c = set.c};
     algsurf_i_search s = {.data = &p};
     algsurf_bracket span;
     int method;
@@ -218,12 +301,12 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, d
     if (status == ALGSURF_OK && set.r) status = span_roots(&set, lo, hi, p.observer, &span);
     if (status != ALGSURF_OK) return status;
     p.given = (algsurf_i_coefficients){set.c, NULL, set.degree};
-    p.inner = method == ALGSURF_METHOD_DEFAULT ? algsurf_i_polynomial_certain : plain_value;
+    p.inner = method == ALGSURF_METHOD_DEFAULT ? certain_value : plain_value;
     s.f = p.observer ? told : p.inner;
     status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
                                               : refine_plain(&s, &p, lo, hi, method, result);
     if (status < 0) return status;
-    result->residual = algsurf_i_polynomial_unscaled(&p, result->residual);
+    result->residual = unscaled(&p, result->residual);
     if (set.r) result->lo = fmin(result->lo, span.lo), result->hi = fmax(result->hi, span.hi);
     return status;
 }

@@ -1,9 +1,8 @@
-/* refine_impl.h - refinement, called inside the library; and the certain values of a polynomial. */
+/* refine_impl.h - refinement, called inside the library. */
 #ifndef ALGSURF_REFINE_IMPL_H
 #define ALGSURF_REFINE_IMPL_H
 #include "algsurf/refine.h"
 #include "coefficients.h"
-#include "watch.h"
 
 /* As algsurf_refine_poly with no options, for a bracket that is one. */
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
@@ -16,25 +15,30 @@ algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const d
                                          double hi, const algsurf_refine_options *options,
                                          algsurf_refined_root *result);
 
-/* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */
-typedef struct algsurf_i_polynomial {
-    algsurf_i_coefficients given; /* the caller's, without radii */
-    const double *c, *r;          /* r: what scaling may have lost, or null */
-    int unit, exponent;
-    double newton; /* Newton's step at the last point: from algsurf_i_polynomial_certain */
-    int no_memory; /* a value could not be told, and is NaN */
-    algsurf_function inner;
-    int engine;                 /* that found the last value: set to the doubles' by who asks */
-    algsurf_observer *observer; /* null: nobody looks */
-} algsurf_i_polynomial;
+/* ---- search.c: the bracket that all refinement methods share, and the methods ---- */
 
-/* Scales p, with unit and exponent 0, for |t| <= farthest, into c and r if there is need. */
-void algsurf_i_polynomial_scale(algsurf_i_polynomial *p, double farthest, double *c, double *r);
+/* b is the best end, the one with the smaller |f|; c the other, f(b) f(c) <= 0; a the b before (Brent's
+ * letters). */
+typedef struct algsurf_i_search {
+    algsurf_function f;
+    void *data;
+    double tolerance; /* wanted half width of the bracket, without the rounding part */
+    double rounding;  /* that, relative to b */
+    int max_iterations;
+    double a, b, c, fa, fb, fc;
+    double x, fx; /* the newest point */
+    int evaluations, iterations;
+    int nan, settled; /* f returned NaN; the method itself decided to stop */
+} algsurf_i_search;
 
-/* p from a scaled value; what is not zero stays so. */
-double algsurf_i_polynomial_unscaled(const algsurf_i_polynomial *p, double y);
+/* Values at both ends; the newest point is hi.  Do the signs differ, or is one of them zero? */
+int algsurf_i_search_begin(algsurf_i_search *s, double lo, double hi);
 
-/* The scaled value at t (data: the polynomial), finite or not, with its certain sign; 0 for a root only. */
-double algsurf_i_polynomial_certain(double t, void *data);
+/* Until the bracket is narrow enough.
+ *   newton  null: the default method is Brent's; else it is Newton's, guarded, and *newton is its step from
+ *           s->x, -f/f', written whenever f is called.  The bracket is as sure as the signs of f. */
+void algsurf_i_search_run(algsurf_i_search *s, int method, const double *newton);
+
+algsurf_status algsurf_i_search_finish(const algsurf_i_search *s, algsurf_refined_root *result);
 
 #endif

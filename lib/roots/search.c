@@ -22,7 +22,7 @@
  * remain.  So H <= 3 + 72, and no more than 246 points.
  */
 #include "../base/arithmetic.h"
-#include "search.h"
+#include "refine_impl.h"
 
 #include <float.h>
 #include <math.h>
@@ -166,24 +166,10 @@ enum { MEANS = 3 };       /* before a root is taken for one far smaller than its
 #define NEAR 0x1p-8       /* ratio of ends */
 #define SURPLUS 0.5       /* landing at +1/2 and then at -1/2 leaves 1 half width, which is less than 2 */
 
-/* The doubles in increasing order, numbered so that 0.0 has number 0. */
-static int64_t number_of(double x) {
-    int64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits >= 0 ? bits : -(bits & INT64_MAX);
-}
-
-static double double_of(int64_t number) {
-    int64_t bits = number >= 0 ? number : -number;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return number >= 0 ? x : -x;
-}
-
 /* The unit in the last place, roughly for the largest doubles. */
 static double unit_of(double x) {
     double size = fmin(fabs(x), 0.5 * DBL_MAX);
-    return double_of(number_of(size) + 1) - size;
+    return algsurf_i_double_of(algsurf_i_number_of(size) + 1) - size;
 }
 
 static int is_near(double b, double c) {
@@ -193,8 +179,8 @@ static int is_near(double b, double c) {
 
 static double halfway(const algsurf_i_search *s, int halvings) {
     if (halvings < MEANS || is_near(s->b, s->c)) return s->b + half_width(s);
-    int64_t b = number_of(s->b), c = number_of(s->c);
-    return double_of(b / 2 + c / 2 + (b % 2 + c % 2) / 2);
+    int64_t b = algsurf_i_number_of(s->b), c = algsurf_i_number_of(s->c);
+    return algsurf_i_double_of(b / 2 + c / 2 + (b % 2 + c % 2) / 2);
 }
 
 static double chord(const algsurf_i_search *s) {

@@ -10,11 +10,10 @@
  * Pieces.  In the piece about 0 no term is more than SPREAD digits larger than c_0; further out, pieces are
  * annuli, some of which have no root since one term is larger than all those of the other sign. */
 #include "../base/arithmetic.h"
-#include "walk.h"
+#include "line.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "polys.h"
 
@@ -29,51 +28,31 @@ static const double grid[GRID + 1] = {
     1.40625 + 0x1p-10, 1.6875 + 0x1p-8,    2 + 0x1p-6,          2.375 + 0x1p-7,     2.8125 + 0x1p-9,
     3.375 + 0x1p-7,    4 + 0x1p-5};
 
-/* ilogb and ldexp, for normal numbers without a call. */
-static int exponent_of(double a) {
-    uint64_t bits;
-    memcpy(&bits, &a, sizeof bits);
-    int e = (int)(bits >> 52 & 0x7ff);
-    return e ? e - 1023 : ilogb(a);
-}
-
-static double times_power(double a, int e) {
-    if (e < -1022 || e > 1023) return ldexp(a, e);
-    uint64_t bits = (uint64_t)(e + 1023) << 52;
-    double power;
-    memcpy(&power, &bits, sizeof power);
-    return a * power;
-}
-
-/* Coefficients from the first or from the last on, on a side of 0. */
-typedef struct half_line {
-    const double *c;
-    int degree, from_last, sign;
-} half_line;
-
-/* The bound: of |t| from below or, from the last coefficient on, from above.  No root: infinity or 0. */
-static double bound_of(half_line s) {
+/* The bound of |t| on a side of 0: from below or, by the coefficients from the last one on, from above.  No
+ * root: infinity or 0. */
+static double bound_of(const algsurf_i_coefficients *p, int from_last, int side) {
+    int n = p->degree;
     double term[ALGSURF_MAX_POLY_DEGREE + 1], sum[GRID] = {0}, y[GRID];
-    const double *first = s.c + (s.from_last ? s.degree : 0);
-    int lead = exponent_of(*first), unit = 0, any = 0, i = 0;
-    for (int k = 1; k <= s.degree; k++) {
-        double a = s.from_last ? first[-k] : first[k];
+    const double *first = p->c + (from_last ? n : 0);
+    int lead = ilogb(*first), unit = 0, any = 0, i = 0;
+    for (int k = 1; k <= n; k++) {
+        double a = from_last ? first[-k] : first[k];
         int same = (a > 0) == (*first > 0);
-        term[k] = same == (s.sign > 0 || k % 2 == 0) ? 0 : fabs(a);
+        term[k] = same == (side > 0 || k % 2 == 0) ? 0 : fabs(a);
         if (term[k] == 0) continue;
-        int room = lead - exponent_of(a), least = room >= 0 ? room / k : -((k - 1 - room) / k);
+        int room = lead - ilogb(a), least = room >= 0 ? room / k : -((k - 1 - room) / k);
         unit = !any || least < unit ? least : unit;
         any = 1;
     }
-    if (!any) return s.from_last ? 0 : HUGE_VAL;
-    for (int j = 0; j < GRID; j++) y[j] = s.from_last ? 1 / grid[GRID - j] : grid[j];
-    for (int k = s.degree; k > 0; k--) {
-        double a = term[k] == 0 ? 0 : times_power(term[k], k * unit - lead);
+    if (!any) return from_last ? 0 : HUGE_VAL;
+    for (int j = 0; j < GRID; j++) y[j] = from_last ? 1 / grid[GRID - j] : grid[j];
+    for (int k = n; k > 0; k--) {
+        double a = term[k] == 0 ? 0 : ldexp(term[k], k * unit - lead);
         for (int j = 0; j < GRID; j++) sum[j] = (sum[j] + a) * y[j];
     }
-    double least = fabs(times_power(*first, -lead)) * (1 - 0x1p-30);
+    double least = fabs(ldexp(*first, -lead)) * (1 - 0x1p-30);
     while (i + 1 < GRID && sum[i + 1] < least) i++; /* the first will do: 2 (0.26 + 0.26^2 + ..) < 1 */
-    if (s.from_last) return -unit > -1000 ? ldexp(grid[GRID - i], -unit) : 0x1p-990;
+    if (from_last) return -unit > -1000 ? ldexp(grid[GRID - i], -unit) : 0x1p-990;
     return unit > -1000 ? fmin(ldexp(grid[i], unit), DBL_MAX) : 0;
 }
 
@@ -88,16 +67,16 @@ static void keep(double *lo, double *hi, const double *near, const double *far) 
 
 void algsurf_i_cut_far(const algsurf_i_coefficients *p, double *lo, double *hi) {
     double near[2] = {0, 0}, far[2] = {0, 0};
-    if (*lo < 0) far[0] = bound_of((half_line){p->c, p->degree, 1, -1});
-    if (*hi > 0) far[1] = bound_of((half_line){p->c, p->degree, 1, 1});
+    if (*lo < 0) far[0] = bound_of(p, 1, -1);
+    if (*hi > 0) far[1] = bound_of(p, 1, 1);
     keep(lo, hi, near, far);
 }
 
 void algsurf_i_cut_near(const algsurf_i_coefficients *p, double *lo, double *hi) {
     double near[2] = {0, 0}, far[2] = {HUGE_VAL, HUGE_VAL};
     if (*lo > 0x1p-6 * *hi || *hi < 0x1p-6 * *lo) return; /* not worth it */
-    if (*lo < 0) near[0] = bound_of((half_line){p->c, p->degree, 0, -1});
-    if (*hi > 0) near[1] = bound_of((half_line){p->c, p->degree, 0, 1});
+    if (*lo < 0) near[0] = bound_of(p, 0, -1);
+    if (*hi > 0) near[1] = bound_of(p, 0, 1);
     keep(lo, hi, near, far);
 }
 
@@ -143,7 +122,8 @@ static int walk_piece(task *t, double from, double to, int halvings) {
     double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
     if (lo >= hi || most == 0) return 1;
     if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
-    int done = algsurf_i_roots_single_fastest()(t->p, lo, hi, most, t->b + t->count, &found, t->watch);
+    const algsurf_i_roots_kernel *kernel = algsurf_i_roots_kernel_for(algsurf_i_kernel_find(NULL));
+    int done = kernel->single(t->p, lo, hi, most, t->b + t->count, &found, t->watch);
     t->count += found;
     if (done || halvings == 0 || t->p->r) return done;
     double rest = found ? t->b[t->count - 1].hi : lo, middle = 0.5 * rest + 0.5 * hi;

@@ -1,9 +1,7 @@
 /* watch.h - what a call tells its observer (algsurf/observe.h).
  *
- * Code that can be watched has a pointer to a watch, null if there is no observer.  The packet code for
- * single polynomials and rays is compiled twice from its template (first_walk_template.h), with a watch and
- * without: so an observer costs nothing where there is none.
- */
+ * Code that can be watched has a pointer to a watch, null if there is no observer.  Packets of more than two
+ * lanes are never watched: there it costs nothing. */
 #ifndef ALGSURF_WATCH_H
 #define ALGSURF_WATCH_H
 #include "algsurf/observe.h"
