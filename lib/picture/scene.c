@@ -6,10 +6,8 @@
 
 #include "camera_impl.h"
 #include "../base/fpenv.h"
-#include "../rays/query.h"
+#include "../rays/intersect_impl.h"
 #include "../base/options.h"
-#include "../rays/planes.h"
-#include "../rays/ray_impl.h"
 #include "shade_impl.h"
 #include "../base/vec.h"
 

@@ -1,5 +1,5 @@
-/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved side
- * by side.
+/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved
+ * side by side.
  *
  * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
  * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
@@ -24,8 +24,7 @@
 
 #include "../base/elementary.h"
 #include "../rays/expand_impl.h"
-#include "../rays/own_ball.h"
-#include "../rays/planes.h"
+#include "../rays/region.h"
 #include "complex_rows.h"
 #include "impl.h"
 #include "geometry.h"

@@ -24,20 +24,18 @@
 #include "../complex/impl.h"
 #include "../base/fpenv.h"
 #include "exact_ray.h"
+#include "expand_impl.h"
 #include "intersect_impl.h"
-#include "normal.h"
 #include "../base/options.h"
 #include "../poly/interval_impl.h"
-#include "ray_impl.h"
-#include "region.h"
 #include "../base/vec.h"
 
 typedef struct complex_query {
     const algsurf_surface *surface;
     const algsurf_complex_space *space;
     const algsurf_i_region *region;
-    algsurf_ray front, ray; /* from the eye on, and its chord */
-    algsurf_i_edges edges;
+    algsurf_ray front, ray; /* from the eye on, and on its chord */
+    algsurf_i_chord chord;
     algsurf_i_frame frame;
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
     double r[ALGSURF_MAX_DEGREE + 1];
@@ -209,9 +207,8 @@ static int count_inside(const complex_query *q, const algsurf_i_region *region, 
     int count = 0;
     part.t_min = t.lo, part.t_max = t.hi;
     if (!algsurf_i_has_points(t.lo, t.hi)) return 0;
-    algsurf_status status =
-        algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, NULL,
-                              roots, ALGSURF_MAX_DEGREE, &count);
+    algsurf_status status = algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL,
+                                                  ALGSURF_DEFAULT_MEMORY, NULL, roots, &count);
     return status == ALGSURF_OK ? count : -1;
 }
 
@@ -237,8 +234,8 @@ static int is_inside(const complex_query *q, const algsurf_complex_root *s) {
 static int choose(const complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
                   int *index) {
     const int e = q->frame.exponent;
-    const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->edges.inner_lo), e),
-                                    algsurf_i_scale_down(fmin(q->ray.t_max, q->edges.inner_hi), e)};
+    const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->chord.inner_lo), e),
+                                    algsurf_i_scale_down(fmin(q->ray.t_max, q->chord.inner_hi), e)};
     algsurf_interval range = algsurf_i_interval_scale((algsurf_interval){q->ray.t_min, q->ray.t_max}, e);
     for (int shown = -1;;) {
         int selected = ALGSURF_SELECTED_NONE;
@@ -329,7 +326,10 @@ static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
     q.front.t_min = fmax(ray->t_min, 0);
     *iterations = 0;
     if (algsurf_i_has_points(q.front.t_min, q.front.t_max) &&
-        algsurf_i_region_bracket(region, &q.front, &q.ray, &q.edges)) {
+        algsurf_i_region_chord(region, &q.front, &q.chord)) {
+        q.ray = q.front;
+        q.ray.t_min = q.chord.lo;
+        q.ray.t_max = q.chord.hi;
         solve(&q, start, roots, hit, root, iterations);
     } else {
         set_miss(hit, root);

@@ -35,7 +35,7 @@
 #include "../base/fpenv.h"
 #include "../poly/interval_round.h"
 #include "../surface/impl.h"
-#include "ray_impl.h"
+#include "region.h"
 
 #define MOST_ROUNDS 16
 #define ENOUGH 0.9            /* of a box's width: a round that leaves more has not helped much */

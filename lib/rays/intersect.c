@@ -13,11 +13,7 @@
 #include "../base/fpenv.h"
 #include "exact_ray.h"
 #include "intersect_impl.h"
-#include "packets.h"
-#include "normal.h"
-#include "query.h"
-#include "ranges.h"
-#include "ray_impl.h"
+#include "expand_impl.h"
 #include "../base/vec.h"
 
 void algsurf_i_set_miss(algsurf_hit *hit) {
@@ -101,13 +97,10 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
 
 /* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
 static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int most, algsurf_hit *hits) {
-    const double *x = ray->origin, *d = ray->direction;
     const algsurf_intersect_options *o = &q->options;
     if (!q->fits_lanes) return -1;
-    algsurf_i_rays_job job = algsurf_i_query_job(q);
-    for (int i = 0; i < 3; i++) job.origin[i] = x + i, job.direction[i] = d + i;
-    job.t_min = &ray->t_min;
-    job.t_max = &ray->t_max;
+    algsurf_i_rays_job job = q->job;
+    job.rays = algsurf_i_packet_of(ray);
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
@@ -117,45 +110,27 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
     return count;
 }
 
-/* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
- * FIRST. */
-
-/* Exact coefficients: all is decided. */
+/* What lanes leave undecided, in integers: at most ALGSURF_MAX_DEGREE hits, or one for want FIRST.  Places
+ * that are undecided only coefficients with an error have: there FIRST is among all. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
-    int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
     algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, want, q->memory_limit,
-                                                  q->options.observer, roots, most, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q, ray, roots + i, hits + i);
-    return status;
-}
-
-/* Coefficients with an error: what that hides is undecided.  FIRST is among all. */
-static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, const algsurf_ray *ray,
-                                                      algsurf_hit *hits, int *count) {
-    algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
-    algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
-                                                   q->options.observer, range, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
-        double lo = range[i].lo, hi = range[i].hi,
-               middle = fmax(fmin(0.5 * lo + 0.5 * hi, DBL_MAX), -DBL_MAX);
-        const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
-        if (range[i].side)
-            make_hit(q, ray, &root, hits + i);
+                                                  q->options.observer, roots, count);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++)
+        if (roots[i].reason == ALGSURF_OK)
+            make_hit(q, ray, roots + i, hits + i);
         else
-            set_undecided(ray, lo, hi, range[i].reason, hits + i);
-    }
+            set_undecided(ray, roots[i].t_lo, roots[i].t_hi, roots[i].reason, hits + i);
     return status;
 }
 
 /* The bounded tier goes no further: one entry, if the ray meets the region. */
 static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_hit *hit,
                           int *count) {
-    algsurf_ray chord;
-    algsurf_i_edges edges;
-    *count = algsurf_i_region_bracket(region, ray, &chord, &edges);
-    if (*count) set_undecided(ray, chord.t_min, chord.t_max, ALGSURF_UNDECIDED_MULTIPLE, hit);
+    algsurf_i_chord chord;
+    *count = algsurf_i_region_chord(region, ray, &chord);
+    if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hit);
 }
 
 /* What becomes of undecided places is the caller's choice. */
@@ -177,8 +152,6 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
     algsurf_status status = ALGSURF_OK;
     if (q->options.tier == ALGSURF_TIER_BOUNDED)
         hit_undecided(&q->region, ray, hits, count);
-    else if (q->surface->error > 0)
-        status = hits_in_ranges(q, ray, hits, count);
     else
         status = hits_exact(q, ray, want, hits, count);
     if (status != ALGSURF_OK) return status;
@@ -211,13 +184,13 @@ static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray,
     return *count >= 0 ? ALGSURF_OK : decide(q, ray, ALGSURF_WANT_ALL, found, count);
 }
 
-static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                           algsurf_hit *hits, int capacity, int *count) {
+static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
+                          const algsurf_ray *ray, const algsurf_intersect_options *options, algsurf_hit *hits,
+                          int capacity, int *count) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int n = 0;
-    if (!surface) return ALGSURF_E_ARGUMENT;
+    if (!surface || !hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
     if (status == ALGSURF_OK) status = find_all(&q, ray, found, &n);
@@ -228,14 +201,10 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                     const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                     algsurf_hit *hits, int capacity, int *count) {
-    if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = all(surface, extent, ray, options, hits, capacity, count));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, intersect_all, all,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, algsurf_hit *hits, int capacity, int *count),
+                 (surface, extent, ray, options, hits, capacity, count))
 
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];

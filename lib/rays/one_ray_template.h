@@ -157,7 +157,7 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     int count = 0;
     double scale = ldexp(1, -job->surface->unit);
     places first;
-    first.count = 1, first.listed = 0, first.at = 0;
+    set_places(&first, 0, 1);
     s.ray = load_rays(job, &first, scale);
     clip_rays(job, &first, &s.ray, scale);
     begin_far(job, &first, &s.ray, &s.ends);

@@ -16,7 +16,7 @@
  * first, so that origin - centre cannot overflow.
  */
 #include "../base/arithmetic.h"
-#include "ray_impl.h"
+#include "region.h"
 
 #include <float.h>
 #include <math.h>
@@ -130,30 +130,25 @@ int algsurf_i_line_clip(const algsurf_extent *extent, const algsurf_ray *ray, do
     return !extent || extent->kind != ALGSURF_EXTENT_BOX || clip_box(extent, ray, ends);
 }
 
-int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord) {
+static algsurf_status clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                           int *meets) {
     double ends[2];
-    if (!algsurf_i_line_clip(extent, ray, ends)) return 0;
-    double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
-    double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
-    if (!algsurf_i_has_points(t_min, t_max)) return 0;
-    *chord = *ray;
-    chord->t_min = t_min;
-    chord->t_max = t_max;
-    return 1;
-}
-
-static ALGSURF_NOINLINE algsurf_status checked_clip(const algsurf_extent *extent, const algsurf_ray *ray,
-                                                    algsurf_ray *chord, int *meets) {
     if (!chord || !meets) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) *meets = algsurf_i_extent_clip(extent, ray, chord);
-    return status;
+    if (status != ALGSURF_OK) return status;
+    *meets = 0;
+    if (!algsurf_i_line_clip(extent, ray, ends)) return ALGSURF_OK;
+    double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
+    double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
+    if (!algsurf_i_has_points(t_min, t_max)) return ALGSURF_OK;
+    *meets = 1;
+    *chord = *ray;
+    chord->t_min = t_min;
+    chord->t_max = t_max;
+    return ALGSURF_OK;
 }
 
-algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
-                                   int *meets) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = checked_clip(extent, ray, chord, meets));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, extent_clip, clip,
+                 (const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord, int *meets),
+                 (extent, ray, chord, meets))

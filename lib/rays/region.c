@@ -17,8 +17,6 @@
 #include <math.h>
 
 #include "../base/fpenv.h"
-#include "planes.h"
-#include "ray_impl.h"
 #include "../base/vec.h"
 
 /* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
@@ -45,10 +43,10 @@ static double shrink(algsurf_extent *extent, algsurf_ray *ray) {
     return scale;
 }
 
-static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
-                          algsurf_i_edges *edges) {
-    *edges = (algsurf_i_edges){0, -HUGE_VAL, HUGE_VAL};
-    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
+/* As algsurf_i_region_chord, without planes. */
+static int extent_chord(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_i_chord *chord) {
+    *chord = (algsurf_i_chord){ray->t_min, ray->t_max, -HUGE_VAL, HUGE_VAL};
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_has_points(chord->lo, chord->hi);
     algsurf_extent outer = *extent;
     algsurf_ray line = *ray;
     const double scale = shrink(&outer, &line);
@@ -64,50 +62,37 @@ static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, 
     }
     /* What overflowed is between the largest double and infinity. */
     if (!algsurf_i_line_clip(&outer, &line, ends)) return 0;
-    *chord = *ray;
-    chord->t_min = fmax(ray->t_min, fmin(ends[0] / scale, DBL_MAX));
-    chord->t_max = fmin(ray->t_max, fmax(ends[1] / scale, -DBL_MAX));
-    if (!algsurf_i_has_points(chord->t_min, chord->t_max)) return 0;
-    edges->cut = 1;
-    edges->inner_lo = HUGE_VAL;
-    edges->inner_hi = -HUGE_VAL;
-    if (solid && algsurf_i_line_clip(&inner, &line, ends)) {
-        edges->inner_lo = fmax(ends[0] / scale, -DBL_MAX);
-        edges->inner_hi = fmin(ends[1] / scale, DBL_MAX);
-    }
-    return 1;
+    chord->lo = fmax(ray->t_min, fmin(ends[0] / scale, DBL_MAX));
+    chord->hi = fmin(ray->t_max, fmax(ends[1] / scale, -DBL_MAX));
+    solid = solid && algsurf_i_line_clip(&inner, &line, ends);
+    chord->inner_lo = solid ? fmax(ends[0] / scale, -DBL_MAX) : HUGE_VAL;
+    chord->inner_hi = solid ? fmin(ends[1] / scale, DBL_MAX) : -HUGE_VAL;
+    return algsurf_i_has_points(chord->lo, chord->hi);
 }
 
-int algsurf_i_region_bracket(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_ray *chord,
-                             algsurf_i_edges *edges) {
-    if (!extent_bracket(region->extent, ray, chord, edges)) return 0;
-    if (region->plane_count == 0) return 1;
-    algsurf_i_cut cut = {chord->t_min, chord->t_max, edges->inner_lo, edges->inner_hi};
-    if (!algsurf_i_planes_cut(region->planes, region->plane_count, ray, &cut)) return 0;
-    chord->t_min = cut.outer_lo;
-    chord->t_max = cut.outer_hi;
-    *edges = (algsurf_i_edges){1, cut.inner_lo, cut.inner_hi};
-    return 1;
+int algsurf_i_region_chord(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_i_chord *chord) {
+    return extent_chord(region->extent, ray, chord) &&
+           algsurf_i_planes_cut(region->planes, region->plane_count, ray, chord);
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_clip(const algsurf_i_region *region, const algsurf_ray *ray,
-                                                    algsurf_ray *chord, int *meets) {
-    algsurf_ray part;
-    algsurf_i_edges edges;
+static algsurf_status clip(const algsurf_extent *extent, const algsurf_plane *planes, size_t count,
+                           const algsurf_ray *ray, algsurf_ray *chord, int *meets) {
+    const algsurf_i_region region = {extent, planes, count};
+    algsurf_i_chord part;
+    if (!chord || !meets) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(region->extent);
-    if (status == ALGSURF_OK) status = algsurf_i_planes_check(region->planes, region->plane_count);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_planes_check(planes, count);
     if (status != ALGSURF_OK) return status;
-    *meets = algsurf_i_region_bracket(region, ray, &part, &edges);
-    if (*meets) *chord = part;
+    *meets = algsurf_i_region_chord(&region, ray, &part);
+    if (!*meets) return ALGSURF_OK;
+    *chord = *ray;
+    chord->t_min = part.lo;
+    chord->t_max = part.hi;
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_plane *planes, size_t count,
-                                   const algsurf_ray *ray, algsurf_ray *chord, int *meets) {
-    const algsurf_i_region region = {extent, planes, count};
-    if (!chord || !meets) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = checked_clip(&region, ray, chord, meets));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, region_clip, clip,
+                 (const algsurf_extent *extent, const algsurf_plane *planes, size_t count,
+                  const algsurf_ray *ray, algsurf_ray *chord, int *meets),
+                 (extent, planes, count, ray, chord, meets))
