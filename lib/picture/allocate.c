@@ -4,7 +4,6 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "srgb.h"
-#include "shadow_rays.h"
 
 #include <stdlib.h>
 
@@ -90,7 +89,7 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->sure = take_bytes(a, s->width);
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
-    line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
+    line->rays = s->shares > 0 ? take(a, 1, algsurf_i_shadow_memory()) : NULL;
     lay_out_shown(a, s, &line->shown);
 }
 
@@ -159,6 +158,7 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
 
 static void lay_out_geometry(arena *a, const sizes *s, algsurf_i_geometry *geometry) {
     lay_out_frame(a, s, &geometry->frame);
+    geometry->rays.basis = geometry->frame.basis;
     geometry->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
     geometry->taylor = s->taylor > 0 ? take(a, 1, sizeof *geometry->taylor) : NULL;
     algsurf_i_frame_form elsewhere; /* while there are none yet */

@@ -16,16 +16,17 @@
 #include "../base/arithmetic.h"
 #include <string.h>
 
-#include "antialias.h"
-#include "geometry.h"
 #include "impl.h"
 
-static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+/* They count when their row is the one in the making. */
+static algsurf_status draw_middles(algsurf_i_worker *worker, int row) {
     algsurf_i_middles *middles = &worker->middles;
-    algsurf_i_tally *counts = &middles->counts[row % 3];
-    *counts = (algsurf_i_tally){0};
+    middles->counts[row % 3] = (algsurf_i_tally){.without_memory = 0};
     worker->predictor.row = -1;
-    return algsurf_i_render_middles(picture, row, &middles->shown[row % 3], worker, counts);
+    worker->tally = &middles->counts[row % 3];
+    algsurf_status status = algsurf_i_render_middles(worker, row, &middles->shown[row % 3]);
+    worker->tally = &worker->all;
+    return status;
 }
 
 /* Marks the bytes of pixels x .. end-1 that are far from those of a neighbour. */
@@ -78,7 +79,7 @@ static int list_apart(const algsurf_i_picture *picture, int row, int x, int end,
  * leaves. */
 static void find_runs(const algsurf_i_picture *picture, const int *cell, const algsurf_i_tile *tiles,
                       algsurf_i_tiling *t) {
-    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int places = algsurf_i_cells_across(picture);
     t->runs = 0;
     for (int i = 0; i < places; i++) {
         if (cell[i] <= 0 || tiles[cell[i] - 1].enough > 0) continue;
@@ -90,10 +91,9 @@ static void find_runs(const algsurf_i_picture *picture, const int *cell, const a
 }
 
 /* The same of the pixels in leaves alone. */
-static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
-                          algsurf_i_worker *worker) {
-    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int *cell = band->cell + row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, int row) {
+    const algsurf_i_picture *picture = worker->picture;
+    const int *cell = band->cell + algsurf_i_first_cell(picture, row);
     algsurf_i_tiling *t = &worker->tiling;
     int *list = worker->line.list, count = 0;
     if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
@@ -106,35 +106,35 @@ static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band
 
 /* Lists the pixels that show another colour than a neighbour, where edges may go; line->dense tells how many
  * samples of them may be solved side by side: where rays have forms within their bounds, a row of them. */
-static void list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
-    algsurf_i_tiling *t = &worker->tiling;
+static void list_edges(algsurf_i_worker *worker, int row) {
+    const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
+    const algsurf_i_band *band = algsurf_i_band_of(worker, row);
     int begin, end;
     const int within = picture->geometry && !picture->scene->complex &&
                        algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
     line->dense = within ? picture->scene->antialias : 1;
     if (band && within) {
-        line->wanted_count = list_in_leaves(picture, band, row, worker);
+        line->wanted_count = list_in_leaves(worker, band, row);
         return;
     }
     if (!within) begin = 0, end = picture->width;
     line->wanted_count = list_apart(picture, row, begin, end, &worker->middles, line->list);
-    for (int i = 0; within && i < line->wanted_count; i++) t->list_low[i] = -1;
+    for (int i = 0; within && i < line->wanted_count; i++) worker->tiling.list_low[i] = -1;
 }
 
-algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
-                                       algsurf_i_tally *tally) {
+algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
+    const int width = worker->picture->width;
     algsurf_i_middles *middles = &worker->middles;
     algsurf_i_line *line = &worker->line;
     if (middles->end < row - 1) middles->end = row - 1;
-    for (; middles->end <= row + 1 && middles->end < picture->height; middles->end++) {
-        algsurf_status status = draw_middles(picture, middles->end, worker);
+    for (; middles->end <= row + 1 && middles->end < worker->picture->height; middles->end++) {
+        algsurf_status status = draw_middles(worker, middles->end);
         if (status != ALGSURF_OK) return status;
     }
-    algsurf_i_tally_add(tally, &middles->counts[row % 3]);
-    list_edges(picture, row, worker);
-    memset(middles->wanted, 0, (size_t)picture->width);
+    algsurf_i_tally_add(worker->tally, &middles->counts[row % 3]);
+    list_edges(worker, row);
+    memset(middles->wanted, 0, (size_t)width);
     for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
     line->wanted = middles->wanted;
     worker->predictor.row = -1;

@@ -1,22 +1,21 @@
 /* line.c - the points of a row: those that kernels are to find, those that rays alone find, those that leave.
  */
 #include "../base/arithmetic.h"
-#include "line.h"
-
 #include "impl.h"
 #include "shade_impl.h"
 
 /* So line->state tells of every point what it is. */
 _Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_HIT, "both are the state of a pixel");
 
-void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
-                        algsurf_i_tally *tally) {
+void algsurf_i_line_add(algsurf_i_worker *worker, int x, const algsurf_ray *ray, const algsurf_hit *hit) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_render_stats *stats = &worker->tally->stats;
     const algsurf_i_points *points = &line->points;
     int i = line->count;
     line->state[x] = (uint8_t)hit->state;
     if (line->way) line->way[x] |= ALGSURF_WAY_SINGLE;
-    tally->hits += hit->state == ALGSURF_HIT;
-    tally->undecided += hit->state == ALGSURF_UNDECIDED;
+    stats->hits += hit->state == ALGSURF_HIT;
+    stats->undecided += hit->state == ALGSURF_UNDECIDED;
     if (hit->state == ALGSURF_MISS) return;
     line->pixel[line->count++] = x;
     points->t[i] = hit->t;
@@ -57,15 +56,15 @@ int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
 }
 
 /* Shadows need to know places exactly. */
-algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
-                                          int first) {
-    const algsurf_i_points *p = &line->points;
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first) {
+    const int shadows = worker->picture->shadows;
+    const algsurf_i_points *p = &worker->line.points;
     algsurf_i_points found = {.t = p->t + first};
     for (int k = 0; k < 3; k++) {
-        if (picture->shadows) found.position[k] = p->position[k] + first;
-        if (picture->shadows) found.direction[k] = p->direction[k] + first;
-        if (picture->shadows || picture->planes.normals) found.normal[k] = p->normal[k] + first;
-        if (!line->colours) continue;
+        if (shadows) found.position[k] = p->position[k] + first;
+        if (shadows) found.direction[k] = p->direction[k] + first;
+        if (shadows || worker->picture->planes.normals) found.normal[k] = p->normal[k] + first;
+        if (!worker->line.colours) continue;
         found.looks.place[k] = p->looks.place[k] + first;
         found.looks.normal[k] = p->looks.normal[k] + first;
         found.looks.direction[k] = p->looks.direction[k] + first;

@@ -41,7 +41,7 @@ static int samples_are_good(int u, int v) {
            (u >= 1 && u <= ALGSURF_MAX_LIGHT_SAMPLES && v >= 1 && v <= ALGSURF_MAX_LIGHT_SAMPLES);
 }
 
-algsurf_status algsurf_i_light_check(const algsurf_light *light) {
+static algsurf_status check_light(const algsurf_light *light) {
     if (!light || !samples_are_good(light->samples_u, light->samples_v)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(light->position) || !algsurf_is_finite3(light->edge_u) ||
         !algsurf_is_finite3(light->edge_v))
@@ -49,16 +49,16 @@ algsurf_status algsurf_i_light_check(const algsurf_light *light) {
     return check_range(light->colour, 3, BRIGHTEST);
 }
 
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count) {
+    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = ALGSURF_OK;
+    for (int l = 0; status == ALGSURF_OK && l < count; l++) status = check_light(&lights[l]);
+    return status;
+}
+
 void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]) {
     place[0] = light->samples_u > 1 ? (double)a / (light->samples_u - 1) - 0.5 : 0;
     place[1] = light->samples_v > 1 ? (double)b / (light->samples_v - 1) - 0.5 : 0;
-}
-
-void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    double place[2];
-    algsurf_i_light_place(light, a, b, place);
-    for (int i = 0; i < 3; i++)
-        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
 }
 
 /* What the shade of a base colour has more of than the colour itself: of what is more in it than on the
@@ -113,32 +113,20 @@ void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position
 
 /* ---- the public functions ---- */
 
-static ALGSURF_NOINLINE algsurf_status checked_sample(const algsurf_light *light, int a, int b,
-                                                      double position[3]) {
-    algsurf_status status = algsurf_i_light_check(light);
+static algsurf_status sample(const algsurf_light *light, int a, int b, double position[3]) {
+    double place[2];
+    algsurf_status status = check_light(light);
     if (status != ALGSURF_OK) return status;
     if (!position || a < 0 || b < 0 || a >= light->samples_u || b >= light->samples_v)
         return ALGSURF_E_ARGUMENT;
-    algsurf_i_light_sample(light, a, b, position);
+    algsurf_i_light_place(light, a, b, place);
+    for (int i = 0; i < 3; i++)
+        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = checked_sample(light, a, b, position));
-    return status;
-}
-
-static algsurf_status check_lights(const algsurf_lighting *lighting) {
-    int count = lighting->light_count;
-    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lighting->lights))
-        return ALGSURF_E_ARGUMENT;
-    for (int l = 0; l < count; l++) {
-        algsurf_status status = algsurf_i_light_check(&lighting->lights[l]);
-        if (status != ALGSURF_OK) return status;
-    }
-    return ALGSURF_OK;
-}
+ALGSURF_I_PUBLIC(algsurf_status, light_sample, sample,
+                 (const algsurf_light *light, int a, int b, double position[3]), (light, a, b, position))
 
 static int is_unit(const double v[3]) { return fabs(algsurf_dot(v, v) - 1) <= UNIT_SLACK; }
 
@@ -147,7 +135,7 @@ static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_light
                                     algsurf_material *material) {
     if (!given || !algsurf_options_read(known, sizeof *known, given)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_material_read(known->material, material);
-    if (status == ALGSURF_OK) status = check_lights(known);
+    if (status == ALGSURF_OK) status = algsurf_i_lights_check(known->lights, known->light_count);
     if (status != ALGSURF_OK) return status;
     known->material = material;
     if (!algsurf_is_finite3(known->up) || !algsurf_is_finite3(known->forward) ||

@@ -9,12 +9,10 @@
 /* Each: OK, E_ARGUMENT (null, out of range) or E_NOT_FINITE. */
 algsurf_status algsurf_i_colour_check(const double colour[3]);
 algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material);
-algsurf_status algsurf_i_light_check(const algsurf_light *light);
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count);
 
-/* Where sample (a, b) of a light is, in its edges from its middle; and algsurf_light_sample for checked
- * arguments, in the standard floating-point environment. */
+/* Where sample (a, b) of a light is, in its edges from its middle. */
 void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]);
-void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
 /* For a checked lighting, without its curve. */
 void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job);
