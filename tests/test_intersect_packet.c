@@ -497,11 +497,14 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
 
 /* Undecided ones among some rays, by the kernel itself. */
 static int undecided(const algsurf_extent *extent, int any) {
-    algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any, .rays.count = MOST};
+    const algsurf_ray_packet rays = {.count = MOST,
+                                     .origin = {p.origin[0], p.origin[1], p.origin[2]},
+                                     .direction = {p.direction[0], p.direction[1], p.direction[2]},
+                                     .t_min = p.t_min,
+                                     .t_max = p.t_max};
+    const algsurf_i_rays_job job = {.surface = surface, .extent = extent, .rays = &rays, .any = any};
     algsurf_hit_packet hits = {.state = q.state, .t = q.t};
     int count = 0;
-    for (int k = 0; k < 3; k++) job.rays.origin[k] = p.origin[k], job.rays.direction[k] = p.direction[k];
-    job.rays.t_min = p.t_min, job.rays.t_max = p.t_max;
     algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(&job, &hits);
     for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_UNDECIDED;
     return count;

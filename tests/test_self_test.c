@@ -176,7 +176,7 @@ TABLE(rays)
 
 static void wrong_solve(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
     real_rays->solve(job, hits);
-    for (size_t i = 0; i < job->rays.count; i++) {
+    for (size_t i = 0; i < job->rays->count; i++) {
         if (job->any)
             hits->state[i] = broken == STATES ? ALGSURF_LANE_HIT : hits->state[i];
         else if (broken == HITS && hits->state[i] == ALGSURF_LANE_HIT)

@@ -89,13 +89,12 @@ TEST(test_rays) {
                 direction[k] = entry->extent.centre[k] - origin[k] +
                                0.5 * entry->extent.size[0] * exact_random_unit(&random);
             }
-            const algsurf_i_rays_job job = {.surface = s,
-                                            .extent = &entry->extent,
-                                            .rays = {.count = 1,
-                                                     .origin = {origin, origin + 1, origin + 2},
-                                                     .direction = {direction, direction + 1, direction + 2},
-                                                     .t_min = &near,
-                                                     .t_max = &far}};
+            const algsurf_ray_packet rays = {.count = 1,
+                                             .origin = {origin, origin + 1, origin + 2},
+                                             .direction = {direction, direction + 1, direction + 2},
+                                             .t_min = &near,
+                                             .t_max = &far};
+            const algsurf_i_rays_job job = {.surface = s, .extent = &entry->extent, .rays = &rays};
             judge_ray(entry, &job, &decided);
         }
         assert_true(decided > RAYS / 2);

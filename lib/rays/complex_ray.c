@@ -8,7 +8,7 @@
  * however small they are.
  *
  * Range.  The ends of the chord are rounded, so there are two: one that holds all of the ray's part in the
- * region, and one that is certainly in it (region.c).  A root with a magnitude in the first counts if it is
+ * region, and one that is certainly in it (ray.c).  A root with a magnitude in the first counts if it is
  * in the second, too.  Between them a real root in front of the eye is decided by integers, as in real
  * space (exact_ray.c): those roots of P that are in the root's box are inside the region, or not.  Other
  * roots stay undecided there: their magnitudes are no places of the surface.
@@ -309,25 +309,27 @@ static algsurf_status check(const algsurf_complex_space *space, int n) {
     return algsurf_sector_holds(&space->sector, &probe, &holds);
 }
 
-static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
-                                                 const algsurf_i_region *region, const algsurf_ray *ray,
-                                                 const algsurf_complex_space *space,
-                                                 const algsurf_complex *start, algsurf_complex *roots,
-                                                 algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
+                                           const algsurf_ray *ray, const algsurf_complex_space *given,
+                                           const algsurf_complex *start, algsurf_complex *roots,
+                                           algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+    algsurf_complex_space space;
+    complex_query q;
+    if (!surface || !given || !hit || !algsurf_options_read(&space, sizeof space, given))
+        return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(region->extent);
-    if (status == ALGSURF_OK) status = check(space, surface->degree);
+    if (status == ALGSURF_OK) status = check(&space, surface->degree);
     if (status != ALGSURF_OK) return status;
-    complex_query q;
     q.surface = surface;
-    q.space = space;
+    q.space = &space;
     q.region = region;
     q.front = *ray;
     q.front.t_min = fmax(ray->t_min, 0);
+    q.ray = q.front;
     *iterations = 0;
     if (algsurf_i_has_points(q.front.t_min, q.front.t_max) &&
         algsurf_i_region_chord(region, &q.front, &q.chord)) {
-        q.ray = q.front;
         q.ray.t_min = q.chord.lo;
         q.ray.t_max = q.chord.hi;
         solve(&q, start, roots, hit, root, iterations);
@@ -338,23 +340,17 @@ static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
-                                           const algsurf_ray *ray, const algsurf_complex_space *space,
-                                           const algsurf_complex *start, algsurf_complex *roots,
-                                           algsurf_hit *hit, algsurf_complex *root, int *iterations) {
-    algsurf_complex_space known;
-    if (!surface || !space || !hit || !algsurf_options_read(&known, sizeof known, space))
-        return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = intersect(surface, region, ray, &known, start, roots, hit, root, iterations));
-    return status;
-}
-
-algsurf_status algsurf_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_complex_space *space,
-                                         const algsurf_complex *start, algsurf_complex *roots,
-                                         algsurf_hit *hit, algsurf_complex *root) {
+static algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
+                                const algsurf_ray *ray, const algsurf_complex_space *space,
+                                const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
+                                algsurf_complex *root) {
     const algsurf_i_region region = {extent, NULL, 0};
     int iterations;
     return algsurf_i_intersect_complex(surface, &region, ray, space, start, roots, hit, root, &iterations);
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, intersect_complex, intersect,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_complex_space *space, const algsurf_complex *start, algsurf_complex *roots,
+                  algsurf_hit *hit, algsurf_complex *root),
+                 (surface, extent, ray, space, start, roots, hit, root))

@@ -1,7 +1,7 @@
 /* exact_ray.c - a ray in integers: the chord, P along it, its roots, those of them that are in the region.
  *
  * The chord only says where to look: it is the part of the ray in a region a little larger, rounded outward
- * (region.c).  P, and the region's faces, which are those of the extent and the planes, are polynomials with
+ * (ray.c).  P, and the region's faces, which are those of the extent and the planes, are polynomials with
  * integer coefficients in u, t = 2^unit u (surface/exact_form.c, faces.c), with the unit that suits the
  * chord; the roots come from the exact walk (roots/exact_walk.c); and a root next to a face is inside if no
  * face is negative there, which is decided exactly, too.

@@ -62,7 +62,7 @@ APART void begin_pieces(const algsurf_i_rays_job *job, const places *w, ray_lane
     f->degree = all_lanes(s->degree);
     for (int l = 0; l < w->count; l++) {
         int changing = 0;
-        for (int i = 0; i < 3; i++) changing |= (number_of(job->rays.direction[i], w, 3 + i)[l] != 0) << i;
+        for (int i = 0; i < 3; i++) changing |= (number_of(job->rays->direction[i], w, 3 + i)[l] != 0) << i;
         f->degree[l] = s->degree_in[changing];
     }
     set_piece(f, r);
@@ -145,9 +145,9 @@ APART void put(waiting *list, const places *w, const far_rays *f, unsigned which
 
 /* The last ones: LANES, or as many as there are. */
 APART void take(waiting *list, const algsurf_i_rays_job *job, places *w) {
-    const double *const from[8] = {job->rays.origin[0],    job->rays.origin[1],    job->rays.origin[2],
-                                   job->rays.direction[0], job->rays.direction[1], job->rays.direction[2],
-                                   job->rays.t_min,        job->rays.t_max};
+    const double *const from[8] = {job->rays->origin[0],    job->rays->origin[1],    job->rays->origin[2],
+                                   job->rays->direction[0], job->rays->direction[1], job->rays->direction[2],
+                                   job->rays->t_min,        job->rays->t_max};
     w->listed = 1;
     w->count = list->count < LANES ? list->count : LANES;
     list->count -= w->count;

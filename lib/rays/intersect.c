@@ -100,7 +100,8 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
     const algsurf_intersect_options *o = &q->options;
     if (!q->fits_lanes) return -1;
     algsurf_i_rays_job job = q->job;
-    job.rays = algsurf_i_packet_of(ray);
+    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
+    job.rays = &rays;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);

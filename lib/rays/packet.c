@@ -83,7 +83,7 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
         return;
     }
     algsurf_i_rays_job job = q->job;
-    job.rays = *rays;
+    job.rays = rays;
     job.any = any;
     if (alone)
         algsurf_i_ray_kernel_for(q->kernel)->first(&job, hits);
@@ -108,14 +108,6 @@ static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hi
     }
 }
 
-/* What the packet code does not write: it knows simple roots only. */
-static void set_simple(const algsurf_ray_packet *rays, const algsurf_hit_packet *hits, size_t i) {
-    if (rays->active && !rays->active[i]) return;
-    int hit = hits->state[i] == ALGSURF_HIT;
-    if (hits->multiplicity) hits->multiplicity[i] = hit;
-    if (hits->side && !hit) hits->side[i] = 0;
-}
-
 /* A ray that could not be decided for want of memory. */
 static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
@@ -123,13 +115,14 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     hit->t_hi = ray->t_max;
 }
 
-/* The state of one ray, and all of a certain hit. */
-static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
+/* One ray; returns 0 if it is undecided. */
+static int solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
     const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
     unsigned char state;
     signed char side = 0;
     const algsurf_hit_packet hits = {
         .state = &state,
+        .multiplicity = &hit->multiplicity,
         .side = &side,
         .t = &hit->t,
         .t_lo = &hit->t_lo,
@@ -141,7 +134,9 @@ static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray,
     if (state == ALGSURF_LANE_HIT && isnan(hit->normal[0]))
         algsurf_i_set_normal(q->surface, ray, hit->position, 0, q->memory_limit, hit->normal);
     hit->side = side;
-    return state;
+    hit->state = state;
+    hit->reason = ALGSURF_OK;
+    return state != ALGSURF_LANE_UNDECIDED;
 }
 
 /* The normal that packets leave open. */
@@ -157,13 +152,12 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
         if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
 
-/* The rays that packets leave undecided, one by one; and what packets do not write. */
+/* The rays, and the normals, that packets leave undecided, one by one. */
 static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const algsurf_ray_packet *rays,
                                               const algsurf_hit_packet *hits, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     for (size_t i = 0; i < rays->count; i++) {
         if (!left_alone(rays, hits->state, i)) {
-            set_simple(rays, hits, i);
             set_normal(q, rays, hits, i);
             continue;
         }
@@ -207,11 +201,7 @@ static algsurf_status first(const algsurf_surface *surface, const algsurf_extent
     algsurf_ray_packet rays;
     algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
-    unsigned char state = solve_one(&q, ray, &found);
-    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, hit, &exact);
-    found.state = state;
-    found.reason = ALGSURF_OK;
-    found.multiplicity = state == ALGSURF_LANE_HIT;
+    if (!solve_one(&q, ray, &found)) return algsurf_i_intersect_first(&q, ray, hit, &exact);
     *hit = found;
     return ALGSURF_OK;
 }

@@ -148,16 +148,20 @@ INLINE void store_lanes(double *array, lanes a, const places *w, unsigned which)
 /* What is found of the lanes `which`. */
 INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_hit_packet *to, const places *w,
                         unsigned which, int any) {
-    unsigned found = bits(k->hit), undecided = bits(k->undecided);
-    lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
-    for (int l = 0; l < LANES; l++) {
-        if (!(which >> l & 1)) continue;
-        size_t i = w->ray[l];
-        to->state[i] =
-            (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-        if (to->side && found >> l & 1) to->side[i] = bits(negative(k->at.side)) >> l & 1 ? -1 : 1;
-    }
+    const unsigned found = bits(k->hit), undecided = bits(k->undecided);
+    const lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
+    unsigned char *const state = to->state;
+    for (int l = 0; l < LANES; l++)
+        if (which >> l & 1)
+            state[w->ray[l]] = (unsigned char)(ALGSURF_LANE_HIT * (found >> l & 1) +
+                                               ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
     if (any) return;
+    const unsigned below = bits(negative(k->at.side) & k->hit);
+    for (int l = 0; to->side && l < LANES; l++)
+        if (which >> l & 1)
+            to->side[w->ray[l]] = (signed char)((int)(found >> l & 1) - 2 * (int)(below >> l & 1));
+    for (int l = 0; to->multiplicity && l < LANES; l++)
+        if (which >> l & 1) to->multiplicity[w->ray[l]] = found >> l & 1;
     store_lanes(to->t, choose(k->hit, hit->t, none), w, which);
     store_lanes(to->t_lo, choose(k->hit, hit->t_lo, none), w, which);
     store_lanes(to->t_hi, choose(k->hit, hit->t_hi, none), w, which);
@@ -211,7 +215,7 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
 }
 
 APART void solve_rays(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
-    const size_t count = job->rays.count;
+    const size_t count = job->rays->count;
     const int n = job->surface->node_degree;
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     double scale = ldexp(1, -job->surface->unit);

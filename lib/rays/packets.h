@@ -17,7 +17,7 @@ typedef struct algsurf_i_rays_job {
     const algsurf_extent *extent; /* null: all of space */
     const algsurf_plane *planes;  /* algsurf_i_plane_in_unit, of the natural one */
     int plane_count;
-    algsurf_ray_packet rays;
+    const algsurf_ray_packet *rays;
     int any;                    /* 1: whether there is a root, not where: only states are written */
     algsurf_observer *observer; /* of a single ray, or null */
 } algsurf_i_rays_job;
@@ -27,8 +27,7 @@ typedef struct algsurf_i_rays_job {
 #define ALGSURF_MAX_WIDE_DEGREE 24
 
 typedef struct algsurf_i_rays_kernel {
-    /* Answers the active rays, but for multiplicities, which are 1 where there is a hit; sides are written of
-     * hits alone.  Of an undecided ray only the state means something. */
+    /* Answers the active rays.  Of an undecided ray only the state means something. */
     void (*solve)(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits);
 } algsurf_i_rays_kernel;
 

@@ -32,10 +32,6 @@ algsurf_status algsurf_i_planes_check(const algsurf_plane *planes, size_t count)
 
 /* All that follows is for what is checked, in the standard floating-point environment. */
 
-/* Where the line of a ray enters and leaves an extent; infinite also where that is beyond the largest double.
- * Returns 0 when it does not meet it, as computed. */
-int algsurf_i_line_clip(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]);
-
 /* A ray enters and leaves a ball at irrational t.  So its chord in a region is known to reach from some t to
  * some other. */
 typedef struct algsurf_i_chord {
