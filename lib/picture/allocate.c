@@ -29,33 +29,32 @@ static uint8_t *take_bytes(arena *from, size_t count) { return take(from, count,
 
 /* How large what is laid out is. */
 typedef struct sizes {
-    size_t width, side;    /* of a row; degree + 1 */
-    size_t dense;          /* samples of a row: as many as are taken together */
-    size_t lights, shares; /* where there are shadows; shares of light: one more */
-    size_t taylor;         /* of shadow rays: 1, or 0 */
-    size_t places;         /* leaves of a band */
-    size_t dips;           /* of a row */
-    int lanes;             /* 1: pixels of real space are solved side by side */
-    size_t roots;          /* in complex space */
+    size_t width, side; /* of a row; degree + 1 */
+    size_t dense;       /* samples of a row: as many as are taken together */
+    size_t shares;      /* of light, where there are shadows */
+    size_t taylor;      /* of shadow rays: 1, or 0 */
+    size_t places;      /* leaves of a band */
+    size_t dips;        /* of a row */
+    int lanes;          /* 1: pixels of real space are solved side by side */
+    size_t roots;       /* in complex space */
+    int channels;       /* of middles */
     const algsurf_picture *planes;
 } sizes;
 
 static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
-    const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
-    const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled, real = picture->geometry && !picture->scene->complex;
+    const size_t across = (size_t)algsurf_i_cells_across(picture);
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
-                   .lights = lights,
-                   .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
+                   .shares = picture->shadows ? (size_t)picture->light_count + 1 : 0,
                    .taylor = picture->geometry && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
                              picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
-                   .lanes = real,
-                   .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
+                   .lanes = picture->geometry && !picture->scene->complex,
+                   .places = picture->tiled ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->geometry && picture->scene->complex ? degree : 0,
+                   .channels = picture->channels == 4 || picture->scene->transparent ? 4 : 3,
                    .planes = &picture->planes};
 }
 
@@ -95,12 +94,11 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
 
 static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles) {
     const algsurf_picture *planes = s->planes;
-    const int channels = planes->pixels && planes->format == ALGSURF_RGBA8 ? 4 : 3;
-    /* what is thin, and what is empty, is told by states */
+    /* alpha tells what is empty, states tell what is thin */
     for (int slot = 0; slot < 3; slot++)
         middles->shown[slot] =
             (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
-                                   .channels = channels,
+                                   .channels = s->channels,
                                    .t = planes->t ? take_doubles(a, s->width) : NULL,
                                    .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
                                    .state = take_bytes(a, s->width),

@@ -5,8 +5,8 @@
  * Whether a pixel is wanted depends on four neighbours, so a worker keeps the middles of three rows and draws
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
- * middles alone would have, with alpha, which states tell where it is no byte: what is chosen does not hang
- * on which planes are asked for.  Where there are tiles only pixels of leaves are compared: through the
+ * middles alone would have, with alpha, whether a byte of it is asked for or not: what is chosen does not
+ * hang on which planes are.  Where there are tiles only pixels of leaves are compared: through the
  * others, by proof, no edge goes.  One that shows something thin is not chosen: many samples would make it
  * pale.
  *
@@ -45,30 +45,16 @@ static void compare(const algsurf_i_picture *picture, int row, int x, int end, a
     mark(own, own + channels, count - right, limit, marks);
 }
 
-/* Has pixel x of the row another alpha, 0 or 255, than a neighbour? */
-static int is_alpha_apart(const algsurf_i_picture *picture, int row, int x,
-                          const algsurf_i_middles *middles) {
-    const uint8_t *own = middles->shown[row % 3].state + x;
-    const int is_empty = *own == ALGSURF_MISS;
-    return (row > 0 && (middles->shown[(row + 2) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
-           (row + 1 < picture->height &&
-            (middles->shown[(row + 1) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
-           (x > 0 && (own[-1] == ALGSURF_MISS) != is_empty) ||
-           (x + 1 < picture->width && (own[1] == ALGSURF_MISS) != is_empty);
-}
-
 /* Lists which of the pixels x .. end-1 show another colour than a neighbour, and nothing thin. */
 static int list_apart(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles,
                       int *list) {
     const int channels = middles->shown[0].channels;
-    const int alpha = channels == 3 && picture->scene->transparent && picture->scene->antialias_threshold < 1;
     const uint8_t *state = middles->shown[row % 3].state;
     int count = 0;
     compare(picture, row, x, end, middles);
     for (; x < end; x++) {
         const uint8_t *mark = middles->apart + channels * x;
         int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
-        if (alpha && !apart) apart = is_alpha_apart(picture, row, x, middles);
         list[count] = x;
         count += apart && state[x] != ALGSURF_THIN;
     }
@@ -144,8 +130,11 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
 void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
                             const algsurf_i_row_planes *planes) {
     const algsurf_i_row_planes *own = &middles->shown[row % 3];
-    size_t count = (size_t)width;
-    if (planes->pixels) memcpy(planes->pixels, own->pixels, (size_t)planes->channels * count);
+    size_t count = (size_t)width, channels = (size_t)planes->channels;
+    if (planes->pixels && own->channels == planes->channels)
+        memcpy(planes->pixels, own->pixels, channels * count);
+    else if (planes->pixels)
+        for (size_t x = 0; x < count; x++) memcpy(planes->pixels + 3 * x, own->pixels + 4 * x, 3);
     if (planes->t) memcpy(planes->t, own->t, count * sizeof *planes->t);
     if (planes->normals) memcpy(planes->normals, own->normals, 3 * count * sizeof *planes->normals);
     if (planes->state) memcpy(planes->state, own->state, count);

@@ -2,7 +2,6 @@
  */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "shade_impl.h"
 
 /* So line->state tells of every point what it is. */
 _Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_HIT, "both are the state of a pixel");

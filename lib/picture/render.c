@@ -4,7 +4,6 @@
 
 #include <stdlib.h>
 
-#include "shade_impl.h"
 #include "srgb.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"

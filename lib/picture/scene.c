@@ -7,7 +7,7 @@
 #include "../base/fpenv.h"
 #include "../rays/intersect_impl.h"
 #include "../base/options.h"
-#include "shade_impl.h"
+#include "colours.h"
 #include "../base/vec.h"
 
 static const algsurf_material default_material = {
@@ -50,6 +50,11 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
 
 void algsurf_scene_free(algsurf_scene *scene) { free(scene); }
 
+/* algsurf_scene_set_<part>, by set_<part>. */
+#define SETTER(part, type)                                                                                   \
+    ALGSURF_I_PUBLIC(algsurf_status, scene_set_##part, set_##part, (algsurf_scene * scene, type value),      \
+                     (scene, value))
+
 static algsurf_status set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
     static const algsurf_extent all_of_space = {.kind = ALGSURF_EXTENT_ALL};
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -58,8 +63,7 @@ static algsurf_status set_extent(algsurf_scene *scene, const algsurf_extent *ext
     return status;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_extent, set_extent,
-                 (algsurf_scene * scene, const algsurf_extent *extent), (scene, extent))
+SETTER(extent, const algsurf_extent *)
 
 static algsurf_status set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -68,8 +72,7 @@ static algsurf_status set_camera(algsurf_scene *scene, const algsurf_camera *cam
     return status;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_camera, set_camera,
-                 (algsurf_scene * scene, const algsurf_camera *camera), (scene, camera))
+SETTER(camera, const algsurf_camera *)
 
 static algsurf_status set_material(algsurf_scene *scene, const algsurf_material *material) {
     algsurf_material known;
@@ -79,8 +82,7 @@ static algsurf_status set_material(algsurf_scene *scene, const algsurf_material 
     return status;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_material, set_material,
-                 (algsurf_scene * scene, const algsurf_material *material), (scene, material))
+SETTER(material, const algsurf_material *)
 
 static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -135,14 +137,13 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
     return ALGSURF_OK;
 }
 
-static algsurf_status set_threshold(algsurf_scene *scene, double threshold) {
+static algsurf_status set_antialias_threshold(algsurf_scene *scene, double threshold) {
     if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
     scene->antialias_threshold = threshold;
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_antialias_threshold, set_threshold,
-                 (algsurf_scene * scene, double threshold), (scene, threshold))
+SETTER(antialias_threshold, double)
 
 static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
     algsurf_intersect_options o;
@@ -156,8 +157,7 @@ static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersec
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_intersect, set_intersect,
-                 (algsurf_scene * scene, const algsurf_intersect_options *options), (scene, options))
+SETTER(intersect, const algsurf_intersect_options *)
 
 static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
     if (!scene) return ALGSURF_E_ARGUMENT;

@@ -1,6 +1,6 @@
 /* shade.c - what is lit, from where and how: checks, and what kernels need to know of it. */
 #include "../base/arithmetic.h"
-#include "shade_impl.h"
+#include "colours.h"
 
 #include "../base/fpenv.h"
 #include "../base/options.h"

@@ -13,7 +13,6 @@
 #include "../base/arithmetic.h"
 #include "../beams/lattice.h"
 #include "impl.h"
-#include "shade_impl.h"
 
 #include <math.h>
 

@@ -48,27 +48,12 @@ static void stop_pool(thread_pool *pool, algsurf_status why) {
 }
 
 void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
-    algsurf_render_stats *to = &total->stats;
-    const algsurf_render_stats *from = &more->stats;
-    to->rays += from->rays;
-    to->hits += from->hits;
-    to->undecided += from->undecided;
-    to->shadow_rays += from->shadow_rays;
-    to->solve_s += from->solve_s;
-    to->shade_s += from->shade_s;
-    to->iterations += from->iterations;
-    to->single_rays += from->single_rays;
-    to->expand_s += from->expand_s;
-    to->point_s += from->point_s;
-    to->shadow_s += from->shadow_s;
-    to->tiles += from->tiles;
-    to->empty_tiles += from->empty_tiles;
-    to->sheet_tiles += from->sheet_tiles;
-    to->leaf_tiles += from->leaf_tiles;
-    to->empty_rays += from->empty_rays;
-    to->sheet_rays += from->sheet_rays;
-    to->exact_rays += from->exact_rays;
-    to->thin += from->thin;
+#define ADD(member) total->stats.member += more->stats.member
+    ADD(rays), ADD(hits), ADD(undecided), ADD(thin), ADD(iterations);
+    ADD(shadow_rays), ADD(single_rays), ADD(exact_rays), ADD(empty_rays), ADD(sheet_rays);
+    ADD(tiles), ADD(empty_tiles), ADD(sheet_tiles), ADD(leaf_tiles);
+    ADD(expand_s), ADD(solve_s), ADD(point_s), ADD(shadow_s), ADD(shade_s);
+#undef ADD
     total->without_memory += more->without_memory;
 }
 

@@ -196,9 +196,9 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, const places *w, ray_lanes 
     r->open &= ~less(r->far, r->near - 4 * r->off);
 }
 
-/* The chord's points middle + v half, -1 <= v <= 1. */
+/* The chord's points middle + v half, -1 <= v <= 1, at t_c + v h. */
 typedef struct chord_line {
-    lanes middle[3], half[3];
+    lanes t_c, h, middle[3], half[3];
 } chord_line;
 
 #endif

@@ -74,21 +74,25 @@ INLINE void begin_far(const algsurf_i_rays_job *job, const places *w, ray_lanes 
     if (any(f->far)) begin_pieces(job, w, r, f);
 }
 
-/* What the packet's coefficients of degree n, over the pieces that have been searched, tell. */
-APART void look_out(const packet *k, int n, int own, far_rays *f) {
-    f->is = look_beyond(k->b, k->e, n, own, f->degree);
-    f->is.lost &= at_most(absolute(f->piece), all_lanes(0));
+/* What the coefficients of degree n tell, over the pieces that have been searched. */
+APART beyond look_out(const lanes *b, const lanes *e, int n, int own, const far_rays *f) {
+    beyond is = look_beyond(b, e, n, own, f->degree);
+    is.lost &= at_most(absolute(f->piece), all_lanes(0));
+    return is;
 }
 
-/* By powers, whose radii are less, of lanes that nodes do not show the degree of. */
-APART void look_again(const algsurf_surface *s, const chord_line *line, int n, far_rays *f) {
+/* The packet's; and those from powers, whose radii are less, if nodes do not show the degree of some lanes.
+ */
+APART void look_about(const algsurf_surface *s, const chord_line *line, const packet *k, mask which, int n,
+                      int own, far_rays *f) {
+    f->is = look_out(k->b, k->e, n, own, f);
+    if (own || !any(which & f->is.lost)) return;
     packet again;
-    const beyond is = f->is;
     coefficients_from_powers(s, line, n, again.b, again.e);
-    look_out(&again, n, 1, f);
-    f->is.none_before |= is.none_before;
-    f->is.none_behind |= is.none_behind;
-    f->is.lost &= is.lost;
+    const beyond more = look_out(again.b, again.e, n, 1, f);
+    f->is.none_before |= more.none_before;
+    f->is.none_behind |= more.none_behind;
+    f->is.lost &= more.lost;
 }
 
 /* Lanes for which the piece before, or the one behind, is to be searched. */
@@ -118,8 +122,7 @@ APART mask next_pieces(const algsurf_i_rays_job *job, const ray_lanes *r, far_ra
     mask which = f->far & opened;
     if (job->any) which &= ~k->hit;
     if (!any(which)) return which;
-    look_out(k, n, own, f);
-    if (!own && any(which & f->is.lost)) look_again(job->surface, line, n, f);
+    look_about(job->surface, line, k, which, n, own, f);
     mask before = lanes_before(r, f, which);
     mask behind = lanes_behind(r, f, which & ~(before | k->hit | k->undecided));
     return go_on(f, k, before, behind);

@@ -57,15 +57,14 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
-INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half,
-                       chord_line *line, packet *k) {
+INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, chord_line *line, packet *k) {
     lanes reach[3];
     for (int i = 0; i < 3; i++) {
-        line->middle[i] = along(r->origin[i], all_lanes(0), middle, r->direction[i]);
-        line->half[i] = half * r->direction[i];
+        line->middle[i] = along(r->origin[i], all_lanes(0), line->t_c, r->direction[i]);
+        line->half[i] = line->h * r->direction[i];
         reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
-    k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
+    k->blur = (r->off + 0x1p-52 * (absolute(line->t_c) + line->h)) / absolute(line->h);
     k->undecided |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
     k->undecided |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->undecided;
@@ -182,33 +181,39 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
     return watch;
 }
 
+/* The first roots along the rays' parts; returns the lanes whose chords were searched. */
+INLINE mask search(const algsurf_i_rays_job *job, const ray_lanes *r, algsurf_i_watch *watch,
+                   chord_line *line, packet *k, int n) {
+    line->t_c = 0.5 * r->near + 0.5 * r->far;
+    line->h = 0.5 * r->far - 0.5 * r->near;
+    k->watch = watch_chord(job, r, watch);
+    k->open = r->open;
+    k->undecided = r->undecided;
+    k->hit = no_lane();
+    if (any(k->open)) set_chords(job, r, line, k);
+    const mask opened = k->open;
+    if (!any(opened)) return opened;
+    if (!job->surface->nodes)
+        decide_from_powers(job, line, k, n);
+    else
+        decide_from_nodes(job, line, k, n);
+    return opened;
+}
+
 /* Answers the lanes `given`, but those that it returns. */
 INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
                         const algsurf_hit_packet *hits, int n) {
     packet k;
+    chord_line line;
     algsurf_i_watch watch;
     lanes_hit hit = {.t = all_lanes(0)};
-    mask going = no_lane();
-    lanes middle = 0.5 * r->near + 0.5 * r->far, half = 0.5 * r->far - 0.5 * r->near;
-    k.watch = watch_chord(job, r, &watch);
-    k.open = r->open;
-    k.undecided = r->undecided;
-    k.hit = no_lane();
-    if (any(k.open)) {
-        chord_line line;
-        set_chords(job, r, middle, half, &line, &k);
-        mask opened = k.open;
-        if (job->surface->nodes)
-            decide_from_nodes(job, &line, &k, n);
-        else
-            decide_from_powers(job, &line, &k, n);
-        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
-        if (!job->any && any(k.hit)) {
-            lanes v;
-            refine(&k, n, ROOT_ERROR, &v);
-            find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi,
-                      hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
-        }
+    mask going = no_lane(), opened = search(job, r, &watch, &line, &k, n);
+    if (any(f->far & opened)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
+    if (!job->any && any(k.hit)) {
+        lanes v;
+        refine(&k, n, ROOT_ERROR, &v);
+        find_hits(job, r, line.t_c, line.h, 2 * v - 1, hits->t_lo || hits->t_hi,
+                  hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
     }
     store_found(&k, &hit, hits, w, bits(given & ~going), job->any);
     return going;
