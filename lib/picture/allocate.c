@@ -37,7 +37,7 @@ typedef struct sizes {
     size_t dips;        /* of a row */
     int lanes;          /* 1: pixels of real space are solved side by side */
     size_t roots;       /* in complex space */
-    int channels;       /* of middles */
+    int format;         /* of middles */
     const algsurf_picture *planes;
 } sizes;
 
@@ -54,7 +54,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .lanes = picture->geometry && !picture->scene->complex,
                    .places = picture->tiled ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->geometry && picture->scene->complex ? degree : 0,
-                   .channels = picture->channels == 4 || picture->scene->transparent ? 4 : 3,
+                   .format = picture->scene->transparent ? ALGSURF_RGBA8 : picture->planes.format,
                    .planes = &picture->planes};
 }
 
@@ -97,12 +97,12 @@ static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles
     /* alpha tells what is empty, states tell what is thin */
     for (int slot = 0; slot < 3; slot++)
         middles->shown[slot] =
-            (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
-                                   .channels = s->channels,
-                                   .t = planes->t ? take_doubles(a, s->width) : NULL,
-                                   .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
-                                   .state = take_bytes(a, s->width),
-                                   .way = planes->way ? take_bytes(a, s->width) : NULL};
+            (algsurf_picture){.pixels = take_bytes(a, 4 * s->width),
+                              .format = s->format,
+                              .t = planes->t ? take_doubles(a, s->width) : NULL,
+                              .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
+                              .state = take_bytes(a, s->width),
+                              .way = planes->way ? take_bytes(a, s->width) : NULL};
     middles->apart = take_bytes(a, 4 * s->width);
     middles->wanted = take_bytes(a, s->width);
 }

@@ -31,7 +31,8 @@ static algsurf_status draw_middles(algsurf_i_worker *worker, int row) {
 
 /* Marks the bytes of pixels x .. end-1 that are far from those of a neighbour. */
 static void compare(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles) {
-    const int channels = middles->shown[0].channels, first = channels * x, count = channels * (end - x);
+    const int channels = algsurf_i_channels(&middles->shown[0]), first = channels * x,
+              count = channels * (end - x);
     const int limit = (int)(255 * picture->scene->antialias_threshold);
     const uint8_t *own = middles->shown[row % 3].pixels + first;
     uint8_t *marks = middles->apart + first;
@@ -48,7 +49,7 @@ static void compare(const algsurf_i_picture *picture, int row, int x, int end, a
 /* Lists which of the pixels x .. end-1 show another colour than a neighbour, and nothing thin. */
 static int list_apart(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles,
                       int *list) {
-    const int channels = middles->shown[0].channels;
+    const int channels = algsurf_i_channels(&middles->shown[0]);
     const uint8_t *state = middles->shown[row % 3].state;
     int count = 0;
     compare(picture, row, x, end, middles);
@@ -128,10 +129,10 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
 }
 
 void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
-                            const algsurf_i_row_planes *planes) {
-    const algsurf_i_row_planes *own = &middles->shown[row % 3];
-    size_t count = (size_t)width, channels = (size_t)planes->channels;
-    if (planes->pixels && own->channels == planes->channels)
+                            const algsurf_picture *planes) {
+    const algsurf_picture *own = &middles->shown[row % 3];
+    size_t count = (size_t)width, channels = (size_t)algsurf_i_channels(own);
+    if (planes->pixels && own->format == planes->format)
         memcpy(planes->pixels, own->pixels, channels * count);
     else if (planes->pixels)
         for (size_t x = 0; x < count; x++) memcpy(planes->pixels + 3 * x, own->pixels + 4 * x, 3);

@@ -55,7 +55,6 @@ typedef struct algsurf_i_picture {
     int tiled;                    /* 1: there is a view, and tiles of it */
     int thin;                     /* 1: what is thin is shown: there is a view */
     algsurf_picture planes;
-    int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
     uint8_t *curve;  /* of sRGB, SRGB_STEPS entries */
     int selective;   /* 1: only some pixels get all samples */
@@ -137,14 +136,13 @@ algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsur
 algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row);
 
 /* One sample a pixel: what is seen through the middles of a row's pixels. */
-algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row,
-                                        const algsurf_i_row_planes *planes);
+algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const algsurf_picture *planes);
 
 /* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
  * sets line.wanted; and the row as the middles of its pixels show it. */
 algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
 void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
-                            const algsurf_i_row_planes *planes);
+                            const algsurf_picture *planes);
 
 /* The job of the row y from the top, through offset sx in each pixel, without its form's coefficients. */
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,

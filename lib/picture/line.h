@@ -61,38 +61,9 @@ typedef struct algsurf_i_line {
 
 #define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
 
-/* Where a row of pixels goes: what is null is not asked for. */
-typedef struct algsurf_i_row_planes {
-    uint8_t *pixels;
-    int channels;
-    double *t;
-    float *normals;
-    uint8_t *state, *way;
-} algsurf_i_row_planes;
-
-/* Where sample x of the line's row is, in pixels from the left, if it is `offset` in its pixel; dense samples
- * have their own. */
-static inline double algsurf_i_place_of(const algsurf_i_line *line, int x, double offset) {
-    return line->dense > 1 ? (x + 0.5) / line->dense : x + offset;
-}
-
-/* No sample has been drawn yet. */
-static inline void algsurf_i_begin_shown(const algsurf_i_shown *shown, int width) {
-    memset(shown->samples, 0, (size_t)width * sizeof *shown->samples);
-    if (shown->way) memset(shown->way, 0, (size_t)width);
-}
-
-/* Is t less than that of each sample of pixel x so far? */
-static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
-    return shown->samples[x] == 0 || t < shown->nearest[x];
-}
-
-/* Adds a sample to pixel x: its t; its colour is for the caller to add to the sum, which the first one sets
- * to 0. */
-static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, double t) {
-    int first = shown->samples[x]++ == 0;
-    for (int k = 0; k < 3 && first; k++) shown->sum[3 * x + k] = 0;
-    shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
+/* Bytes of a pixel, where bytes are asked for. */
+static inline int algsurf_i_channels(const algsurf_picture *planes) {
+    return planes->format == ALGSURF_RGBA8 ? 4 : 3;
 }
 
 /* The states of the row's samples, one a pixel, before it is solved: those wanted miss, or are undecided. */
@@ -110,11 +81,11 @@ int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
 /* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
  * samples, there is none of it. */
 typedef struct algsurf_i_middles {
-    int end;                       /* the rows before this one have been drawn */
-    algsurf_i_row_planes shown[3]; /* what is asked for, pixels and states in any case */
-    algsurf_i_tally counts[3];     /* of the rays through them */
-    uint8_t *apart;                /* of each byte of the row in the making: is it far from a neighbour's? */
-    uint8_t *wanted;               /* of each pixel of that row */
+    int end;                   /* the rows before this one have been drawn */
+    algsurf_picture shown[3];  /* what is asked for, pixels and states in any case */
+    algsurf_i_tally counts[3]; /* of the rays through them */
+    uint8_t *apart;            /* of each byte of the row in the making: is it far from a neighbour's? */
+    uint8_t *wanted;           /* of each pixel of that row */
 } algsurf_i_middles;
 
 /* The roots of the pixels solved last, in complex space (algsurf_i_complex_job). */

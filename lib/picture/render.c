@@ -26,8 +26,7 @@ static algsurf_status read_planes(const algsurf_picture *given, int width, algsu
     if (!given || !algsurf_options_read(planes, sizeof *planes, given)) return ALGSURF_E_ARGUMENT;
     if (!planes->pixels) return ALGSURF_OK;
     if (planes->format != ALGSURF_RGB8 && planes->format != ALGSURF_RGBA8) return ALGSURF_E_ARGUMENT;
-    picture->channels = planes->format == ALGSURF_RGBA8 ? 4 : 3;
-    size_t row = (size_t)picture->channels * (size_t)width;
+    size_t row = (size_t)algsurf_i_channels(planes) * (size_t)width;
     if (planes->stride == 0) planes->stride = row;
     return planes->stride >= row ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }

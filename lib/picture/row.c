@@ -38,16 +38,6 @@ static algsurf_status shade_line(algsurf_i_worker *worker, int row) {
     return ALGSURF_OK;
 }
 
-/* Before a point is added to pixel x: the normal and state of the nearest one. */
-static void keep_nearest(const algsurf_i_line *line, int i, int x, uint8_t kind) {
-    const algsurf_i_points *points = &line->points;
-    double *normal = line->shown.normal;
-    uint8_t *state = line->shown.state;
-    if (!algsurf_i_is_nearest(&line->shown, x, points->t[i])) return;
-    if (state) state[x] = kind;
-    for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
-}
-
 static void raise_ways(const algsurf_i_line *line) {
     uint8_t *way = line->shown.way;
     for (int x = line->dense * line->begin; way && x < line->dense * line->end; x++)
@@ -56,12 +46,17 @@ static void raise_ways(const algsurf_i_line *line) {
 
 /* Adds the points to what the pixels show.  all_hit: 1, they are; 0, states tell. */
 static void add_points(const algsurf_i_line *line, int all_hit) {
-    const int keeps = line->shown.normal || line->shown.state;
+    const algsurf_i_shown *shown = &line->shown;
+    const algsurf_i_points *points = &line->points;
     for (int i = 0; i < line->count; i++) {
-        int at = line->pixel[i], x = line->dense > 1 ? at / line->dense : at;
-        if (keeps) keep_nearest(line, i, x, all_hit ? ALGSURF_HIT : line->state[at]);
-        algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
-        for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
+        const int at = line->pixel[i], x = line->dense > 1 ? at / line->dense : at;
+        const int first = shown->samples[x]++ == 0;
+        for (int k = 0; line->colours && k < 3; k++)
+            shown->sum[3 * x + k] = (first ? 0 : shown->sum[3 * x + k]) + line->colour[3 * i + k];
+        if (!first && !(points->t[i] < shown->nearest[x])) continue;
+        shown->nearest[x] = points->t[i];
+        if (shown->state) shown->state[x] = all_hit ? ALGSURF_HIT : line->state[at];
+        for (int k = 0; shown->normal && k < 3; k++) shown->normal[3 * x + k] = points->normal[k][i];
     }
 }
 
@@ -81,20 +76,20 @@ static void store_average(const algsurf_i_picture *picture, const algsurf_i_show
 }
 
 /* Row number `row` of the caller's planes. */
-static algsurf_i_row_planes row_planes(const algsurf_i_picture *picture, int row) {
-    const algsurf_picture *planes = &picture->planes;
+static algsurf_picture row_planes(const algsurf_i_picture *picture, int row) {
+    algsurf_picture to = picture->planes;
     size_t index = (size_t)(row - picture->row_begin), first = index * (size_t)picture->width;
-    return (algsurf_i_row_planes){.pixels = planes->pixels ? planes->pixels + index * planes->stride : NULL,
-                                  .channels = picture->channels,
-                                  .t = planes->t ? planes->t + first : NULL,
-                                  .normals = planes->normals ? planes->normals + 3 * first : NULL,
-                                  .state = planes->state ? planes->state + first : NULL,
-                                  .way = planes->way ? planes->way + first : NULL};
+    if (to.pixels) to.pixels += index * to.stride;
+    if (to.t) to.t += first;
+    if (to.normals) to.normals += 3 * first;
+    if (to.state) to.state += first;
+    if (to.way) to.way += first;
+    return to;
 }
 
 /* So many pixels from x on show nothing: but for their ways. */
-static void clear(const algsurf_i_picture *picture, int x, int count, const algsurf_i_row_planes *to) {
-    const size_t n = (size_t)count, channels = (size_t)to->channels, length = channels * n;
+static void clear(const algsurf_i_picture *picture, int x, int count, const algsurf_picture *to) {
+    const size_t n = (size_t)count, channels = (size_t)algsurf_i_channels(to), length = channels * n;
     uint8_t *bytes = to->pixels ? to->pixels + channels * (size_t)x : NULL;
     for (size_t k = 0; bytes && k < channels; k++)
         bytes[k] = k < 3 ? algsurf_i_byte_of(picture->curve, picture->scene->background[k])
@@ -106,14 +101,16 @@ static void clear(const algsurf_i_picture *picture, int x, int count, const algs
     if (to->normals) memset(to->normals + 3 * x, 0, 3 * n * sizeof *to->normals);
 }
 
-/* What pixel x shows through all its samples, into a row that shows nothing there. */
+/* What pixel x shows through all its samples. */
 static void store_pixel(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int x,
-                        const algsurf_i_row_planes *to) {
-    int n = picture->scene->antialias, seen = shown->samples[x] > 0;
+                        const algsurf_picture *to) {
+    const int n = picture->scene->antialias, channels = algsurf_i_channels(to);
     if (to->way) to->way[x] = shown->way[x];
-    if (!seen) return;
-    if (to->pixels)
-        store_average(picture, shown, n * n, x, to->channels, to->pixels + (size_t)to->channels * (size_t)x);
+    if (shown->samples[x] == 0) {
+        clear(picture, x, 1, to);
+        return;
+    }
+    if (to->pixels) store_average(picture, shown, n * n, x, channels, to->pixels + channels * x);
     if (to->t) to->t[x] = shown->nearest[x];
     if (to->state) to->state[x] = shown->state[x];
     for (int k = 0; to->normals && k < 3; k++) to->normals[3 * x + k] = (float)shown->normal[3 * x + k];
@@ -166,16 +163,16 @@ static void store_bytes(const uint32_t *colours, int count, int channels, uint8_
 
 /* One sample a pixel: the row's points as they are, with the bytes that their average would have. */
 static void store_points(const algsurf_i_picture *picture, const algsurf_i_line *line,
-                         const algsurf_i_row_planes *to) {
+                         const algsurf_picture *to) {
     const algsurf_i_points *p = &line->points;
+    const int channels = algsurf_i_channels(to);
     clear(picture, 0, picture->width, to);
     if (to->way) memcpy(to->way, line->way, (size_t)picture->width);
     for (int i = 0, end; i < line->count; i = end) { /* pixels that follow each other */
         size_t x = (size_t)line->pixel[i];
         for (end = i + 1; end < line->count && line->pixel[end] == line->pixel[end - 1] + 1;) end++;
         size_t count = (size_t)(end - i);
-        if (to->pixels)
-            store_bytes(line->bytes + i, end - i, to->channels, to->pixels + (size_t)to->channels * x);
+        if (to->pixels) store_bytes(line->bytes + i, end - i, channels, to->pixels + (size_t)channels * x);
         if (to->t) memcpy(to->t + x, p->t + i, count * sizeof *p->t);
         if (to->state) memcpy(to->state + x, line->state + x, count);
     }
@@ -185,8 +182,7 @@ static void store_points(const algsurf_i_picture *picture, const algsurf_i_line 
     }
 }
 
-algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row,
-                                        const algsurf_i_row_planes *planes) {
+algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const algsurf_picture *planes) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
     line->wanted = NULL;
@@ -275,7 +271,7 @@ static algsurf_status render_dense(algsurf_i_worker *worker, int row) {
 }
 
 /* n x n samples a pixel. */
-static algsurf_status render_samples(algsurf_i_worker *worker, int row, const algsurf_i_row_planes *to) {
+static algsurf_status render_samples(algsurf_i_worker *worker, int row, const algsurf_picture *to) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
     algsurf_status status = ALGSURF_OK;
@@ -284,27 +280,22 @@ static algsurf_status render_samples(algsurf_i_worker *worker, int row, const al
     line->across = picture->scene->antialias;
     line->as_bytes = 0;
     if (status == ALGSURF_OK && line->wanted_count > 0) {
-        algsurf_i_begin_shown(&line->shown, picture->width);
+        memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
+        if (line->shown.way) memset(line->shown.way, 0, (size_t)picture->width);
         status =
             picture->selective && line->dense > 1 ? render_dense(worker, row) : render_passes(worker, row);
     }
     if (status != ALGSURF_OK) return status;
-    if (picture->selective)
-        algsurf_i_copy_middles(&worker->middles, row, picture->width, to);
-    else
-        clear(picture, 0, picture->width, to);
-    for (int i = 0; i < line->wanted_count; i++) {
-        int x = picture->selective ? line->list[i] : i;
-        if (picture->selective) clear(picture, x, 1, to);
-        store_pixel(picture, &line->shown, x, to);
-    }
+    if (picture->selective) algsurf_i_copy_middles(&worker->middles, row, picture->width, to);
+    for (int i = 0; i < line->wanted_count; i++)
+        store_pixel(picture, &line->shown, picture->selective ? line->list[i] : i, to);
     return ALGSURF_OK;
 }
 
 algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_row_planes to = row_planes(picture, row);
+    const algsurf_picture to = row_planes(picture, row);
     line->wanted = NULL;
     line->wanted_count = picture->width;
     line->begin = 0;

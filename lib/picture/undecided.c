@@ -79,8 +79,8 @@ algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, dou
         algsurf_ray ray;
         if (line->state[x] != ALGSURF_LANE_UNDECIDED) continue;
         if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, algsurf_i_place_of(line, x, sx),
-                             y, &ray);
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height,
+                             line->dense > 1 ? (x + 0.5) / line->dense : x + sx, y, &ray);
         if (scene->complex)
             status = solve_complex(worker, x, &ray);
         else
