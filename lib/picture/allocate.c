@@ -32,7 +32,7 @@ typedef struct sizes {
     size_t width, side; /* of a row; degree + 1 */
     size_t dense;       /* samples of a row: as many as are taken together */
     size_t shares;      /* of light, where there are shadows */
-    size_t taylor;      /* of shadow rays: 1, or 0 */
+    int taylor;         /* 1: shadow rays are seen side by side */
     size_t places;      /* leaves of a band */
     size_t dips;        /* of a row */
     int lanes;          /* 1: pixels of real space are solved side by side */
@@ -158,9 +158,7 @@ static void lay_out_geometry(arena *a, const sizes *s, algsurf_i_geometry *geome
     lay_out_frame(a, s, &geometry->frame);
     geometry->rays.basis = geometry->frame.basis;
     geometry->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
-    geometry->taylor = s->taylor > 0 ? take(a, 1, sizeof *geometry->taylor) : NULL;
-    algsurf_i_frame_form elsewhere; /* while there are none yet */
-    if (s->taylor > 0) lay_out_frame(a, s, a->base ? &geometry->taylor->frame : &elsewhere);
+    if (s->taylor) lay_out_frame(a, s, &geometry->taylor.frame);
 }
 
 static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {

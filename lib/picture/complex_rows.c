@@ -103,12 +103,12 @@ static void gather(algsurf_i_line *line, int begin, int end) {
     }
 }
 
-static void find_points(const algsurf_i_picture *picture, const algsurf_i_complex_job *job,
-                        algsurf_i_line *line) {
-    algsurf_i_points wanted = line->points;
-    if (!line->colours) wanted.looks = (algsurf_i_looks){{NULL}, {NULL}, {NULL}};
+static void find_points(algsurf_i_worker *worker, const algsurf_i_complex_job *job) {
+    const algsurf_i_picture *picture = worker->picture;
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_points found = algsurf_i_points_to_find(worker, 0);
     if (!picture->code->complex_points(job, picture->scene->surface, line->pixel, line->depth,
-                                       line->imaginary, line->count, line->sure, &wanted))
+                                       line->imaginary, line->count, line->sure, &found))
         (void)algsurf_i_drop_unsure(line, 0);
 }
 
@@ -129,7 +129,7 @@ int algsurf_i_solve_complex_row(algsurf_i_worker *worker, int row, double sx, do
     }
     end_row(worker, row, begin, end);
     algsurf_i_lap(worker, &stats->solve_s);
-    if (line->count > 0) find_points(worker->picture, &complex, line);
+    if (line->count > 0) find_points(worker, &complex);
     stats->hits += (uint64_t)line->count;
     algsurf_i_lap(worker, &stats->point_s);
     return 1; /* as far as is known */

@@ -24,7 +24,7 @@ typedef struct algsurf_i_geometry {
     algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
     double thin_bends[ALGSURF_MAX_VIEW_DEGREE + 1]; /* as in algsurf_i_row_job */
     double *beams;                                  /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_taylor *taylor;                       /* where shadows are drawn; or null */
+    algsurf_i_taylor taylor;                        /* where shadows are drawn */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
@@ -172,12 +172,10 @@ int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy);
 /* The rays of undecided samples, begin <= x < end, y from the top. */
 algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, double sx, int begin, int end);
 
-/* The line's points from `first` on, as kernels are to find them. */
+/* The line's points from `first` on, as kernels are to find them; and those that were not found, as line.sure
+ * tells, leave the line: their samples are undecided.  Returns 1. */
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first);
-
-/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
- * counts it. */
-void algsurf_i_line_add(algsurf_i_worker *worker, int x, const algsurf_ray *ray, const algsurf_hit *hit);
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
 
 /* line.visible of a row's points: the share of each light's points that nothing hides, 1 where that adds
  * nothing to the colour whatever the share, and that of free directions. */

@@ -74,10 +74,6 @@ static inline void algsurf_i_begin_states(const algsurf_i_line *line, int misses
         if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
 }
 
-/* Points from `first` on that were not found, as line->sure tells, leave the line: their samples are
- * undecided. Returns 1. */
-int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
-
 /* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
  * samples, there is none of it. */
 typedef struct algsurf_i_middles {

@@ -103,6 +103,49 @@ static int collect_all(algsurf_i_worker *worker, double y) {
     return !misses;
 }
 
+static void move_point(const algsurf_i_points *p, int from, int to) {
+    p->t[to] = p->t[from];
+    for (int k = 0; k < 3; k++) {
+        p->position[k][to] = p->position[k][from];
+        p->normal[k][to] = p->normal[k][from];
+        p->direction[k][to] = p->direction[k][from];
+        p->looks.place[k][to] = p->looks.place[k][from];
+        p->looks.normal[k][to] = p->looks.normal[k][from];
+        p->looks.direction[k][to] = p->looks.direction[k][from];
+    }
+}
+
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
+    int kept = first;
+    for (int i = first; i < line->count; i++) {
+        if (!line->sure[i]) {
+            line->state[line->pixel[i]] = ALGSURF_LANE_UNDECIDED;
+            continue;
+        }
+        if (kept < i) move_point(&line->points, i, kept);
+        line->pixel[kept++] = line->pixel[i];
+    }
+    line->count = kept;
+    return 1;
+}
+
+/* Shadows need to know places exactly. */
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first) {
+    const int shadows = worker->picture->shadows;
+    const algsurf_i_points *p = &worker->line.points;
+    algsurf_i_points found = {.t = p->t + first};
+    for (int k = 0; k < 3; k++) {
+        if (shadows) found.position[k] = p->position[k] + first;
+        if (shadows) found.direction[k] = p->direction[k] + first;
+        if (shadows || worker->picture->planes.normals) found.normal[k] = p->normal[k] + first;
+        if (!worker->line.colours) continue;
+        found.looks.place[k] = p->looks.place[k] + first;
+        found.looks.normal[k] = p->looks.normal[k] + first;
+        found.looks.direction[k] = p->looks.direction[k] + first;
+    }
+    return found;
+}
+
 /* The points of the line's entries from `first` on; returns whether some are undecided. */
 static int find_points(algsurf_i_worker *worker, const algsurf_i_row_job *job, int first,
                        const algsurf_i_sheets *sheets) {

@@ -172,6 +172,7 @@ int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry
                                   .degree = degree_along(scene->surface, camera),
                                   .thin_bends = p->thin_bends};
     p->orthographic = camera->orthographic;
+    p->taylor = (algsurf_i_taylor){.usable = 0};
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
         p->rays.extent_size[i] = endless ? 1 : ldexp(extent->size[i], -scene->surface->unit) / view->size;

@@ -50,9 +50,9 @@ void algsurf_i_place_samples(algsurf_i_picture *picture) {
 }
 
 void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory) {
-    algsurf_i_taylor *taylor = picture->geometry->taylor;
+    algsurf_i_taylor *taylor = &picture->geometry->taylor;
     const algsurf_i_view *shown = &picture->geometry->frame.view;
-    if (!taylor) return;
+    if (!taylor->frame.q) return; /* there is no room for it */
     for (int k = 0; k < 3; k++) taylor->frame.view.centre[k] = shown->centre[k];
     taylor->frame.view.size = shown->size;
     algsurf_i_taylor_expand(picture->scene->surface, taylor, memory);
@@ -85,7 +85,7 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
             job.place[k] = samples->place[k] + samples->first[light];
     }
     if (!geometry) return job;
-    job.taylor = geometry->taylor && geometry->taylor->usable ? geometry->taylor : NULL;
+    job.taylor = geometry->taylor.usable ? &geometry->taylor : NULL;
     job.unit = ldexp(1, -picture->scene->surface->unit);
     job.planes = geometry->planes;
     job.plane_count = geometry->rays.plane_count;

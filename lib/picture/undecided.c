@@ -4,6 +4,9 @@
 #include "../rays/intersect_impl.h"
 #include "impl.h"
 
+/* So line->state tells of every point what it is. */
+_Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_HIT, "both are the state of a pixel");
+
 enum { GROUP = 16 }; /* undecided pixels that are solved together */
 
 /* Pixels that the row left undecided, and their rays as a packet. */
@@ -20,6 +23,31 @@ static void add_pixel(undecided_pixels *d, int x, const algsurf_ray *ray) {
         d->origin[k][i] = ray->origin[k];
         d->direction[k][i] = ray->direction[k];
     }
+}
+
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
+ * counts it. */
+static void add_point(algsurf_i_worker *worker, int x, const algsurf_ray *ray, const algsurf_hit *hit) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_render_stats *stats = &worker->tally->stats;
+    const algsurf_i_points *points = &line->points;
+    int i = line->count;
+    line->state[x] = (uint8_t)hit->state;
+    if (line->way) line->way[x] |= ALGSURF_WAY_SINGLE;
+    stats->single_rays++;
+    stats->hits += hit->state == ALGSURF_HIT;
+    stats->undecided += hit->state == ALGSURF_UNDECIDED;
+    if (hit->state == ALGSURF_MISS) return;
+    line->pixel[line->count++] = x;
+    points->t[i] = hit->t;
+    for (int k = 0; k < 3; k++) {
+        points->position[k][i] = hit->position[k];
+        points->normal[k][i] = hit->normal[k];
+        points->direction[k][i] = ray->direction[k];
+    }
+    if (line->colours)
+        algsurf_i_set_look(&line->colours->frame, hit->position, hit->normal, ray->direction, i,
+                           &points->looks);
 }
 
 /* The rays themselves, without the noise that a row allows for: most of them are decided side by side. */
@@ -48,9 +76,8 @@ static algsurf_status solve_group(algsurf_i_worker *worker, undecided_pixels *d)
             hit.position[k] = position[k][i];
             hit.normal[k] = normal[k][i];
         }
-        algsurf_i_line_add(worker, d->pixel[i], &ray, &hit);
+        add_point(worker, d->pixel[i], &ray, &hit);
     }
-    worker->tally->stats.single_rays += d->count;
     d->count = 0;
     return ALGSURF_OK;
 }
@@ -64,8 +91,7 @@ static algsurf_status solve_complex(algsurf_i_worker *worker, int x, const algsu
                                                         NULL, &hit, NULL, &iterations);
     if (status < 0) return status;
     worker->tally->stats.iterations += (uint64_t)iterations;
-    worker->tally->stats.single_rays++;
-    algsurf_i_line_add(worker, x, ray, &hit);
+    add_point(worker, x, ray, &hit);
     return ALGSURF_OK;
 }
 
