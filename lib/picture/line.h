@@ -105,8 +105,7 @@ typedef struct algsurf_i_predictor {
 typedef struct algsurf_i_band {
     int number;     /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
     int begin, end; /* pixels of a row that have tiles: those whose rays are within the bounds of forms; */
-    int whole;      /* 1: all others miss */
-    int searched;   /* 1: what follows is there */
+    int whole;      /* 1: all others miss, and what follows is there */
     algsurf_i_tally counts;
     int *cell; /* as in algsurf_i_tile_job */
     algsurf_i_tile *tiles;

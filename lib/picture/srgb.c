@@ -29,18 +29,23 @@ static const uint16_t first_step[255] = {
     3518, 3552, 3586, 3620, 3654, 3688, 3722, 3757, 3792, 3827, 3862, 3897, 3933, 3969, 4005, 4041, 4077,
 };
 
+/* The byte of a step, which is `byte` or more. */
+static int byte_of_step(int step, int byte) {
+    while (byte < 255 && first_step[byte] <= step) byte++;
+    return byte;
+}
+
 void algsurf_i_srgb_curve(uint8_t curve[SRGB_STEPS]) {
     int byte = 0;
     for (int step = 0; step < SRGB_STEPS; step++) {
-        while (byte < 255 && first_step[byte] <= step) byte++;
+        byte = byte_of_step(step, byte);
         curve[step] = (uint8_t)byte;
     }
 }
 
 static uint8_t byte_of(double light) {
-    int step = algsurf_i_srgb_step(light < 0 ? 0 : light > 1 ? 1 : (float)light), byte = 0;
-    while (byte < 255 && first_step[byte] <= step) byte++;
-    return (uint8_t)byte;
+    float within = light < 0 ? 0 : light > 1 ? 1 : (float)light;
+    return (uint8_t)byte_of_step(algsurf_i_srgb_step(within), 0);
 }
 
 static double light_of(unsigned char byte) {

@@ -14,8 +14,7 @@ static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *r
 }
 
 /* Sample x shows what is thin instead of what it shows. */
-static void show(const algsurf_i_picture *picture, int x, double t, const algsurf_ray *ray,
-                 algsurf_i_line *line, int point) {
+static void show(const algsurf_i_picture *picture, int x, double t, algsurf_i_line *line, int point) {
     int i = point >= 0 ? point : line->count++;
     line->pixel[i] = x;
     line->state[x] = ALGSURF_THIN;
@@ -24,9 +23,7 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     for (int k = 0; k < 3; k++) {
         double light = picture->scene->thin_colour[k];
         line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture->curve, light) << 8 * k;
-        line->points.position[k][i] = ray->origin[k] + t * ray->direction[k];
         line->points.normal[k][i] = 0;
-        line->points.direction[k][i] = ray->direction[k];
         line->colour[3 * i + k] = (float)light;
     }
 }
@@ -89,7 +86,7 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
         double per_t = depth_per_t(picture, &ray);
         int point = point_of(line, x);
         if (is_hit && depth[i] > job.near + line->points.t[point] * per_t - job.thin_before) continue;
-        show(picture, x, (depth[i] - job.near) / per_t, &ray, line, point);
+        show(picture, x, (depth[i] - job.near) / per_t, line, point);
         worker->tally->stats.thin++;
     }
 }

@@ -143,23 +143,19 @@ static int init_sync(thread_pool *pool) {
     return 0;
 }
 
-/* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many. */
+/* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many.  None leaves before
+ * all are counted. */
 static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf_i_worker *workers) {
     int started = 0;
+    pthread_mutex_lock(&pool->lock);
     for (; started < wanted; started++) {
         helper *next = &helpers[started];
         next->pool = pool;
         next->worker = &workers[started];
-        pthread_mutex_lock(&pool->lock);
-        pool->helpers_at_work++;
-        pthread_mutex_unlock(&pool->lock);
         if (pthread_create(&next->thread, NULL, help, next) != 0) break;
     }
-    if (started < wanted) {
-        pthread_mutex_lock(&pool->lock);
-        pool->helpers_at_work--;
-        pthread_mutex_unlock(&pool->lock);
-    }
+    pool->helpers_at_work = started;
+    pthread_mutex_unlock(&pool->lock);
     return started;
 }
 

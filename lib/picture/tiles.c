@@ -138,12 +138,9 @@ const algsurf_i_band *algsurf_i_band_of(algsurf_i_worker *worker, int row) {
         band->whole = algsurf_i_pixels_within_bounds(picture, top, top + ALGSURF_I_TILES, ALGSURF_I_TILES,
                                                      &band->begin, &band->end);
         band->counts = (algsurf_i_tally){.without_memory = 0};
-        band->searched = 0;
+        if (band->whole) search_band(picture, &worker->tiling, band);
     }
-    if (!band->whole) return NULL;
-    if (!band->searched) search_band(picture, &worker->tiling, band);
-    band->searched = 1;
-    return band;
+    return band->whole ? band : NULL;
 }
 
 void algsurf_i_count_tiles(algsurf_i_worker *worker, int row) {

@@ -165,11 +165,6 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
 
-static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
-    algsurf_i_set_miss(hit);
-    if (root) *root = (algsurf_complex){NAN, NAN};
-}
-
 /* Start values in v from those in t. */
 static const algsurf_complex *start_in_v(const complex_query *q, const algsurf_complex *start,
                                          algsurf_complex *v) {
@@ -191,9 +186,7 @@ static void give_roots(const complex_query *q, const algsurf_complex_root *s, in
 
 /* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
-    algsurf_i_set_miss(hit);
     hit->state = ALGSURF_UNDECIDED;
-    hit->multiplicity = hit->side = 0;
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
     hit->t_hi = q->ray.t_max;
@@ -272,15 +265,12 @@ static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_
     return status;
 }
 
-/* Apart, as most rays that miss need none of its memory. */
+/* hit, root and roots are those of a miss so far.  Apart, as most rays that miss need none of its memory. */
 static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots,
                                    algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     int count = 0, index = 0;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
-    set_miss(hit, root);
-    give_roots(q, s, 0, roots);
-    *iterations = 0;
     algsurf_status status = roots_of(q, start, local, &count, iterations);
     if (status != ALGSURF_OK) {
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
@@ -328,15 +318,15 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     q.front.t_min = fmax(ray->t_min, 0);
     q.ray = q.front;
     *iterations = 0;
-    if (algsurf_i_has_points(q.front.t_min, q.front.t_max) &&
-        algsurf_i_region_chord(region, &q.front, &q.chord)) {
-        q.ray.t_min = q.chord.lo;
-        q.ray.t_max = q.chord.hi;
-        solve(&q, start, roots, hit, root, iterations);
-    } else {
-        set_miss(hit, root);
-        give_roots(&q, NULL, 0, roots);
-    }
+    algsurf_i_set_miss(hit);
+    if (root) *root = (algsurf_complex){NAN, NAN};
+    give_roots(&q, NULL, 0, roots);
+    if (!algsurf_i_has_points(q.front.t_min, q.front.t_max) ||
+        !algsurf_i_region_chord(region, &q.front, &q.chord))
+        return ALGSURF_OK;
+    q.ray.t_min = q.chord.lo;
+    q.ray.t_max = q.chord.hi;
+    solve(&q, start, roots, hit, root, iterations);
     return ALGSURF_OK;
 }
 
