@@ -121,8 +121,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
-    t->runs_row = -1;
-    t->run = take_ints(a, s->width);
     t->list_low = take_doubles(a, s->width);
     t->pixel_low = take_doubles(a, s->width);
     t->pixel_depth = take_doubles(a, s->width);

@@ -62,32 +62,26 @@ static int list_apart(const algsurf_i_picture *picture, int row, int x, int end,
     return count;
 }
 
-/* The runs of pixels in leaves, through which by their tiles an edge may go: the same for all rows of
- * leaves. */
-static void find_runs(const algsurf_i_picture *picture, const int *cell, const algsurf_i_tile *tiles,
-                      algsurf_i_tiling *t) {
-    const int places = algsurf_i_cells_across(picture);
-    t->runs = 0;
-    for (int i = 0; i < places; i++) {
-        if (cell[i] <= 0 || tiles[cell[i] - 1].enough > 0) continue;
-        t->run[2 * t->runs] = i * ALGSURF_I_LEAF;
-        while (i + 1 < places && cell[i + 1] > 0 && !(tiles[cell[i + 1] - 1].enough > 0)) i++;
-        int end = (i + 1) * ALGSURF_I_LEAF;
-        t->run[2 * t->runs++ + 1] = end < picture->width ? end : picture->width;
-    }
+/* May an edge go through the pixels of a cell, by their tile? */
+static int is_leaf(const algsurf_i_band *band, int cell) {
+    return cell > 0 && !(band->tiles[cell - 1].enough > 0);
 }
 
-/* The same of the pixels in leaves alone. */
+/* The same of the pixels in leaves alone, run by run. */
 static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, int row) {
     const algsurf_i_picture *picture = worker->picture;
     const int *cell = band->cell + algsurf_i_first_cell(picture, row);
-    algsurf_i_tiling *t = &worker->tiling;
+    const int cells = algsurf_i_cells_across(picture), width = picture->width;
+    double *low = worker->tiling.list_low;
     int *list = worker->line.list, count = 0;
-    if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
-    t->runs_row = row / ALGSURF_I_LEAF;
-    for (int i = 0; i < t->runs; i++)
-        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, list + count);
-    for (int i = 0; i < count; i++) t->list_low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
+    for (int first = 0, end; first < cells; first = end + 1) {
+        for (end = first; end < cells && is_leaf(band, cell[end]);) end++;
+        const int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF;
+        if (end > first)
+            count +=
+                list_apart(picture, row, x, x_end < width ? x_end : width, &worker->middles, list + count);
+    }
+    for (int i = 0; i < count; i++) low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
     return count;
 }
 
@@ -126,18 +120,4 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
     line->wanted = middles->wanted;
     worker->predictor.row = -1;
     return ALGSURF_OK;
-}
-
-void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
-                            const algsurf_picture *planes) {
-    const algsurf_picture *own = &middles->shown[row % 3];
-    size_t count = (size_t)width, channels = (size_t)algsurf_i_channels(own);
-    if (planes->pixels && own->format == planes->format)
-        memcpy(planes->pixels, own->pixels, channels * count);
-    else if (planes->pixels)
-        for (size_t x = 0; x < count; x++) memcpy(planes->pixels + 3 * x, own->pixels + 4 * x, 3);
-    if (planes->t) memcpy(planes->t, own->t, count * sizeof *planes->t);
-    if (planes->normals) memcpy(planes->normals, own->normals, 3 * count * sizeof *planes->normals);
-    if (planes->state) memcpy(planes->state, own->state, count);
-    if (planes->way) memcpy(planes->way, own->way, count);
 }

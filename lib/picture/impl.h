@@ -122,8 +122,8 @@ size_t algsurf_i_shadow_memory(void); /* of line.rays */
 /* Memory for a picture and its workers, all 0, to be freed; null: there is none. */
 void *algsurf_i_allocate(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers);
 
-/* How many processors there are; less than 1 if the system fails to tell. */
-long algsurf_i_processors(void);
+/* How many threads to draw with: as many as there are processors, if nobody tells; never more than rows. */
+int algsurf_i_thread_count(const algsurf_render_options *options);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
  * for each.  total->stats.threads receives how many could be had. */
@@ -139,10 +139,8 @@ algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row);
 algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const algsurf_picture *planes);
 
 /* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
- * sets line.wanted; and the row as the middles of its pixels show it. */
+ * sets line.wanted. */
 algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
-void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
-                            const algsurf_picture *planes);
 
 /* The job of the row y from the top, through offset sx in each pixel, without its form's coefficients. */
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,

@@ -47,9 +47,8 @@ typedef struct algsurf_i_line {
     algsurf_i_points points;
     const algsurf_i_colour_job *colours; /* null: none are asked for */
     float *colour;                       /* 3 for each point; */
-    uint32_t *bytes; /* or, as_bytes, where each is a pixel of its own: red + 256 green + 65536 blue */
-    int as_bytes;
-    double *visible;                    /* light_count + 1 for each point, in full quality */
+    uint32_t *bytes; /* or, where each is a pixel of its own, across = 1: red + 256 green + 65536 blue */
+    double *visible; /* light_count + 1 for each point, in full quality */
     struct algsurf_i_shadow_rays *rays; /* likewise, in the making: shadow.c */
     double *depth;                      /* of each entry: where kernels found it */
     uint8_t *sure;                      /* of each entry: kernels have found its point */
@@ -120,8 +119,7 @@ typedef struct algsurf_i_tiling {
     double *from;   /* as in algsurf_i_tile_job */
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
-    int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
-    double *list_low;         /* of the line's list: their rays have no root before; */
+    double *list_low; /* of the line's list: their rays have no root before; */
     /* and the pixels that are solved side by side, in the order of the row */
     int pixels, *pixel;
     double *pixel_low, *pixel_depth;

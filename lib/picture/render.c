@@ -31,15 +31,6 @@ static algsurf_status read_planes(const algsurf_picture *given, int width, algsu
     return planes->stride >= row ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-/* How many threads to draw with: never more than rows. */
-static int thread_count(const algsurf_render_options *options) {
-    long threads = options->threads > 0 ? options->threads : algsurf_i_processors();
-    int rows = options->row_end - options->row_begin;
-    if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
-    if (threads > rows) threads = rows;
-    return threads < 1 ? 1 : (int)threads;
-}
-
 /* The rays through the picture's corners are finite, hence all rays between them. */
 static int rays_are_finite(const algsurf_camera *camera, int width, int height) {
     for (int corner = 0; corner < 4; corner++) {
@@ -107,7 +98,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
 static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
                                             algsurf_i_tally *total) {
     algsurf_i_worker *workers;
-    int threads = thread_count(options);
+    int threads = algsurf_i_thread_count(options);
     double begun = algsurf_i_render_clock(picture);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     void *memory = algsurf_i_allocate(picture, threads, &workers);

@@ -32,7 +32,7 @@ static algsurf_status shade_line(algsurf_i_worker *worker, int row) {
         if (status != ALGSURF_OK) return status;
     }
     picture->shader->colours(line->colours, &line->points.looks, line->count,
-                             picture->shadows ? line->visible : NULL, line->as_bytes ? NULL : line->colour,
+                             picture->shadows ? line->visible : NULL, line->across == 1 ? NULL : line->colour,
                              line->bytes);
     algsurf_i_lap(worker, &worker->tally->stats.shade_s);
     return ALGSURF_OK;
@@ -190,7 +190,6 @@ algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const
     line->colours = planes->pixels ? &picture->colours : NULL;
     line->across = line->dense = 1;
     line->sample = 0;
-    line->as_bytes = 1;
     algsurf_status status = see(worker, row, 0.5, 0.5);
     if (status == ALGSURF_OK) store_points(picture, line, planes);
     return status;
@@ -270,6 +269,21 @@ static algsurf_status render_dense(algsurf_i_worker *worker, int row) {
     return status;
 }
 
+/* The row as the middles of its pixels show it. */
+static void copy_middles(const algsurf_i_middles *middles, int row, int width,
+                         const algsurf_picture *planes) {
+    const algsurf_picture *own = &middles->shown[row % 3];
+    size_t count = (size_t)width, channels = (size_t)algsurf_i_channels(own);
+    if (planes->pixels && own->format == planes->format)
+        memcpy(planes->pixels, own->pixels, channels * count);
+    else if (planes->pixels)
+        for (size_t x = 0; x < count; x++) memcpy(planes->pixels + 3 * x, own->pixels + 4 * x, 3);
+    if (planes->t) memcpy(planes->t, own->t, count * sizeof *planes->t);
+    if (planes->normals) memcpy(planes->normals, own->normals, 3 * count * sizeof *planes->normals);
+    if (planes->state) memcpy(planes->state, own->state, count);
+    if (planes->way) memcpy(planes->way, own->way, count);
+}
+
 /* n x n samples a pixel. */
 static algsurf_status render_samples(algsurf_i_worker *worker, int row, const algsurf_picture *to) {
     const algsurf_i_picture *picture = worker->picture;
@@ -278,7 +292,6 @@ static algsurf_status render_samples(algsurf_i_worker *worker, int row, const al
     if (picture->selective) status = algsurf_i_choose_pixels(worker, row);
     line->colours = picture->planes.pixels ? &picture->colours : NULL;
     line->across = picture->scene->antialias;
-    line->as_bytes = 0;
     if (status == ALGSURF_OK && line->wanted_count > 0) {
         memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
         if (line->shown.way) memset(line->shown.way, 0, (size_t)picture->width);
@@ -286,7 +299,7 @@ static algsurf_status render_samples(algsurf_i_worker *worker, int row, const al
             picture->selective && line->dense > 1 ? render_dense(worker, row) : render_passes(worker, row);
     }
     if (status != ALGSURF_OK) return status;
-    if (picture->selective) algsurf_i_copy_middles(&worker->middles, row, picture->width, to);
+    if (picture->selective) copy_middles(&worker->middles, row, picture->width, to);
     for (int i = 0; i < line->wanted_count; i++)
         store_pixel(picture, &line->shown, picture->selective ? line->list[i] : i, to);
     return ALGSURF_OK;

@@ -57,7 +57,8 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->without_memory += more->without_memory;
 }
 
-long algsurf_i_processors(void) {
+/* Less than 1 if the system fails to tell. */
+static long processors(void) {
 #if defined(_WIN32)
     return pthread_num_processors_np();
 #elif defined(_SC_NPROCESSORS_ONLN)
@@ -65,6 +66,14 @@ long algsurf_i_processors(void) {
 #else
     return 1;
 #endif
+}
+
+int algsurf_i_thread_count(const algsurf_render_options *options) {
+    long threads = options->threads > 0 ? options->threads : processors();
+    int rows = options->row_end - options->row_begin;
+    if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
+    if (threads > rows) threads = rows;
+    return threads < 1 ? 1 : (int)threads;
 }
 
 static int batch_of(const algsurf_i_picture *picture) {
