@@ -31,22 +31,15 @@ typedef struct algsurf_i_geometry {
     int top;
 } algsurf_i_geometry;
 
-/* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1;
- * none of a light whose points differ from pixel to pixel. */
-typedef struct algsurf_i_samples {
-    double *place[2]; /* in the light's edges from its middle */
-    int first[ALGSURF_MAX_LIGHTS + 1];
-} algsurf_i_samples;
-
 /* What all rows of a picture share; only stop ever changes. */
 typedef struct algsurf_i_picture {
     const algsurf_scene *scene;
     int width, height, row_begin, row_end;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting;
-    int light_count; /* of lighting */
-    int shadows;     /* 1: light_samples is there, and shadows are drawn */
-    algsurf_i_samples light_samples;
+    int shadows;                            /* 1: they are drawn, and what follows is there */
+    double *samples[ALGSURF_MAX_LIGHTS][2]; /* in a light's edges from its middle; none of a light whose
+                                               points differ from pixel to pixel */
     const algsurf_i_kernel *kernel;
     const algsurf_i_beams_kernel *code; /* for that kernel */
     const algsurf_i_colour_kernel *shader;
@@ -111,8 +104,7 @@ void algsurf_i_prepare_thin(algsurf_i_geometry *geometry, int across);
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *geometry);
 
-/* Sets light_samples.first; then light_samples.place, for which there is room. */
-void algsurf_i_count_samples(algsurf_i_picture *picture);
+/* Sets the samples of lights, for which there is room. */
 void algsurf_i_place_samples(algsurf_i_picture *picture);
 
 /* What is known of shadow rays for all rows; memory as for algsurf_i_frame_expand. */

@@ -58,11 +58,9 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->selective = scene->antialias > 1 && scene->antialias_threshold > 0;
     atomic_init(&picture->stop, 0);
     algsurf_i_scene_lighting(scene, picture->lights, &picture->lighting);
-    picture->light_count = picture->lighting.light_count;
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
                              &picture->colours);
-    algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_beams_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
@@ -71,7 +69,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
         picture->geometry && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
     picture->tiled = picture->geometry && algsurf_i_tiles_pay(picture, picture->geometry);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
-        !lights_are_finite(picture->lights, picture->light_count))
+        !lights_are_finite(picture->lights, picture->lighting.light_count))
         return ALGSURF_E_NOT_FINITE;
     return ALGSURF_OK;
 }

@@ -30,21 +30,13 @@ typedef struct algsurf_i_shadow_rays {
 
 size_t algsurf_i_shadow_memory(void) { return sizeof(algsurf_i_shadow_rays); }
 
-void algsurf_i_count_samples(algsurf_i_picture *picture) {
-    int *first = picture->light_samples.first;
-    first[0] = 0;
-    for (int l = 0; l < picture->light_count; l++)
-        first[l + 1] = first[l] + picture->lights[l].samples_u * picture->lights[l].samples_v;
-}
-
 void algsurf_i_place_samples(algsurf_i_picture *picture) {
-    const algsurf_i_samples *samples = &picture->light_samples;
-    for (int l = 0; l < picture->light_count; l++) {
+    for (int l = 0; l < picture->lighting.light_count; l++) {
         const algsurf_light *light = &picture->lights[l];
         for (int i = 0; i < light->samples_u * light->samples_v; i++) {
             double place[2];
             algsurf_i_light_place(light, i % light->samples_u, i / light->samples_u, place);
-            for (int k = 0; k < 2; k++) samples->place[k][samples->first[l] + i] = place[k];
+            for (int k = 0; k < 2; k++) picture->samples[l][k][i] = place[k];
         }
     }
 }
@@ -67,22 +59,20 @@ static int each_of(int all, int across) { return (all + across * across - 1) / (
 /* Rays of a sample to a light, or, for light_count, around. */
 static int count_rays(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
     const algsurf_light *l = &picture->lights[light];
-    if (light == picture->light_count) return each_of(AMBIENT_RAYS, line->across);
+    if (light == picture->lighting.light_count) return each_of(AMBIENT_RAYS, line->across);
     return l->samples_u == 0 ? each_of(LIGHT_RAYS, line->across) : l->samples_u * l->samples_v;
 }
 
 static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
     const algsurf_i_geometry *geometry = picture->geometry;
-    const int rays = count_rays(picture, line, light), around = light == picture->light_count;
+    const int rays = count_rays(picture, line, light), around = light == picture->lighting.light_count;
     algsurf_i_shadow_job job = {.ball = AMBIENT_REACH * picture->lighting.radius,
                                 .lattice = ALGSURF_I_LATTICE_STEP * line->across * line->across * rays,
                                 .extent_kind = picture->scene->extent.kind};
     if (!around) {
-        const algsurf_i_samples *samples = &picture->light_samples;
         const algsurf_light *l = &picture->lights[light];
         job.light[0] = l->position, job.light[1] = l->edge_u, job.light[2] = l->edge_v;
-        for (int k = 0; k < 2 && l->samples_u > 0; k++)
-            job.place[k] = samples->place[k] + samples->first[light];
+        for (int k = 0; k < 2 && l->samples_u > 0; k++) job.place[k] = picture->samples[light][k];
     }
     if (!geometry) return job;
     job.taylor = geometry->taylor.usable ? &geometry->taylor : NULL;
@@ -97,7 +87,8 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
 static void set_lattices(const algsurf_i_picture *picture, const algsurf_i_line *line, int row, int light,
                          int first, algsurf_i_starts *starts) {
     const int across = line->across, rays = count_rays(picture, line, light),
-              purpose = light < picture->light_count ? ALGSURF_I_FOR_LIGHT + light : ALGSURF_I_FOR_AMBIENT;
+              purpose =
+                  light < picture->lighting.light_count ? ALGSURF_I_FOR_LIGHT + light : ALGSURF_I_FOR_AMBIENT;
     for (int i = 0; i < starts->count; i++) {
         const int x = line->pixel[first + i], number = line->sample + x % line->dense;
         const algsurf_i_sample sample = {x / line->dense, row, number, across * across};
@@ -155,7 +146,7 @@ static algsurf_status see_one(algsurf_i_worker *worker, int row, int light, int 
     algsurf_i_starts *starts = &rays->starts;
     const int count = count_rays(picture, line, light);
     for (int i = 0; i < starts->count; i++) {
-        starts->seen[i] = line->visible + (first + i) * (picture->light_count + 1) + light;
+        starts->seen[i] = line->visible + (first + i) * (picture->lighting.light_count + 1) + light;
         *starts->seen[i] = 0;
     }
     if (!job->place[0]) set_lattices(picture, line, row, light, first, starts);
@@ -171,7 +162,7 @@ static algsurf_status see_one(algsurf_i_worker *worker, int row, int light, int 
 
 /* From counts to shares. */
 static void make_shares(const algsurf_i_picture *picture, const algsurf_i_line *line) {
-    int lights = picture->light_count;
+    int lights = picture->lighting.light_count;
     for (int l = 0; l <= lights; l++) {
         int all = count_rays(picture, line, l);
         for (int i = 0; i < line->count; i++) line->visible[i * (lights + 1) + l] /= all;
@@ -186,13 +177,13 @@ algsurf_status algsurf_i_render_shadows(algsurf_i_worker *worker, int row) {
     rays->count = 0;
     rays->undecided.count = 0;
     for (int i = 0; i < SHADOW_RAYS; i++) rays->t_max[i] = 1;
-    for (int l = 0; l <= picture->light_count; l++) rays->jobs[l] = job_of(picture, line, l);
+    for (int l = 0; l <= picture->lighting.light_count; l++) rays->jobs[l] = job_of(picture, line, l);
     for (int first = 0; first < line->count; first += ALGSURF_I_STARTS) {
         int left = line->count - first, count = left < ALGSURF_I_STARTS ? left : ALGSURF_I_STARTS;
         if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
         picture->code->lift(&line->points, first, count, height, &rays->starts);
         if (rays->jobs[0].taylor) picture->code->expand(&rays->jobs[0], &rays->starts, &rays->solids);
-        for (int l = 0; l <= picture->light_count; l++) {
+        for (int l = 0; l <= picture->lighting.light_count; l++) {
             algsurf_status status = see_one(worker, row, l, first);
             if (status < 0) return status;
         }
