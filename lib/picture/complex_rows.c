@@ -15,15 +15,6 @@
 
 #include "impl.h"
 
-void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_geometry *geometry) {
-    const algsurf_surface *s = scene->surface;
-    geometry->top = s->degree;
-    while (geometry->top >= 0 && scene->space.imaginary[geometry->top] == 0) geometry->top--;
-    for (int k = 0; k <= geometry->top; k++)
-        geometry->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
-    geometry->frame.view.noise *= 4; /* complex_pixels_template.h */
-}
-
 static void forget(algsurf_i_predictor *predictor, int begin, int end) {
     for (int x = begin; x < end; x++) predictor->x[x] = NAN;
 }

@@ -95,9 +95,6 @@ static inline int algsurf_i_stopped(const algsurf_i_picture *picture) {
 /* Fills a picture's geometry, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *geometry);
 
-/* What kernels need to know of complex space, but for the sector. */
-void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_geometry *geometry);
-
 /* Sets how small and how large things are for which thin ones are looked for. */
 void algsurf_i_prepare_thin(algsurf_i_geometry *geometry, int across);
 

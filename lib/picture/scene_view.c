@@ -147,6 +147,17 @@ static int place_planes(const algsurf_scene *scene, algsurf_i_geometry *p) {
     return 1;
 }
 
+/* What kernels need to know of complex space; 0: the sector is not one for them. */
+static int place_complex_space(const algsurf_scene *scene, algsurf_i_geometry *p) {
+    const algsurf_surface *s = scene->surface;
+    p->top = s->degree;
+    while (p->top >= 0 && scene->space.imaginary[p->top] == 0) p->top--;
+    for (int k = 0; k <= p->top; k++)
+        p->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
+    p->frame.view.noise *= 4; /* complex_pixels_template.h */
+    return algsurf_i_sector_edges_of(&scene->space.sector, &p->sector);
+}
+
 int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *p) {
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
@@ -176,12 +187,8 @@ int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
         p->rays.extent_size[i] = endless ? 1 : ldexp(extent->size[i], -scene->surface->unit) / view->size;
+    if (scene->complex && !place_complex_space(scene, p)) return 0;
     /* a depth of 1 is at most this much of t */
-    p->top = -1;
-    if (scene->complex) {
-        if (!algsurf_i_sector_edges_of(&scene->space.sector, &p->sector)) return 0;
-        algsurf_i_complex_prepare(scene, p);
-    }
     p->rays.tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
     return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
            fabs(p->rays.near) > 0x1p-10 && !(endless && p->rays.near > 0.5) &&

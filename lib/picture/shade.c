@@ -145,54 +145,47 @@ static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_light
                                                                               : ALGSURF_E_ARGUMENT;
 }
 
-/* A point, and how it is looked at. */
-typedef struct sight {
-    const double *point, *normal, *direction;
-} sight;
-
-/* By the code of pictures. */
-static void shade(const algsurf_i_colour_job *job, const sight *s, const double *visible, double colour[3]) {
-    float look[3][3], shown[3];
-    const algsurf_i_looks looks = {{&look[0][0], &look[0][1], &look[0][2]},
-                                   {&look[1][0], &look[1][1], &look[1][2]},
-                                   {&look[2][0], &look[2][1], &look[2][2]}};
-    algsurf_i_set_look(&job->frame, s->point, s->normal, s->direction, 0, &looks);
+/* A point, by the code of pictures. */
+static void find_colour(const algsurf_i_colour_job *job, const double point[3], const double normal[3],
+                        const double direction[3], const double *visible, double colour[3]) {
+    float place[3], facing[3], along[3], shown[3];
+    const algsurf_i_looks looks = {
+        {place, place + 1, place + 2}, {facing, facing + 1, facing + 2}, {along, along + 1, along + 2}};
+    algsurf_i_set_look(&job->frame, point, normal, direction, 0, &looks);
     algsurf_i_colour_baseline.colours(job, &looks, 1, visible, shown, NULL);
     for (int k = 0; k < 3; k++) colour[k] = shown[k];
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_lighting *given, int preview,
-                                                     const sight *s, const double *visible,
-                                                     double colour[3]) {
+static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int preview,
+                                             const double *visible, const double point[3],
+                                             const double normal[3], const double direction[3],
+                                             double colour[3]) {
     algsurf_lighting lighting;
     algsurf_material material;
     algsurf_i_colour_job job;
-    if (!s->point || !s->normal || !s->direction || !colour) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(s->point) || !algsurf_is_finite3(s->normal) || !algsurf_is_finite3(s->direction))
+    if (!point || !normal || !direction || !colour) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(point) || !algsurf_is_finite3(normal) || !algsurf_is_finite3(direction))
         return ALGSURF_E_NOT_FINITE;
-    if (!is_unit(s->direction) || (algsurf_max_abs(s->normal) > 0 && !is_unit(s->normal)))
-        return ALGSURF_E_ARGUMENT;
+    if (!is_unit(direction) || (algsurf_max_abs(normal) > 0 && !is_unit(normal))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_lighting(given, &lighting, &material);
     if (status != ALGSURF_OK) return status;
     for (int l = 0; visible && l <= lighting.light_count; l++)
         if (!(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
     algsurf_i_colour_prepare(&lighting, preview, &job);
-    shade(&job, s, visible, colour);
+    find_colour(&job, point, normal, direction, visible, colour);
     return ALGSURF_OK;
 }
 
 algsurf_status algsurf_shade(const algsurf_lighting *lighting, const double *visible, const double point[3],
                              const double normal[3], const double direction[3], double colour[3]) {
-    const sight s = {point, normal, direction};
     algsurf_status status;
-    ALGSURF_STANDARD(status = checked_shade(lighting, 0, &s, visible, colour));
+    ALGSURF_STANDARD(status = shade(lighting, 0, visible, point, normal, direction, colour));
     return status;
 }
 
 algsurf_status algsurf_shade_preview(const algsurf_lighting *lighting, const double point[3],
                                      const double normal[3], const double direction[3], double colour[3]) {
-    const sight s = {point, normal, direction};
     algsurf_status status;
-    ALGSURF_STANDARD(status = checked_shade(lighting, 1, &s, NULL, colour));
+    ALGSURF_STANDARD(status = shade(lighting, 1, NULL, point, normal, direction, colour));
     return status;
 }
