@@ -140,8 +140,10 @@ static void next_bracket(single_ray *s) {
 
 static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
                     algsurf_hit *hits) {
-    single_ray s = {.job = job, .how = how};
+    single_ray s; /* a long one, which there is no need to clear */
     int count = 0;
+    s.job = job;
+    s.how = how;
     double scale = ldexp(1, -job->surface->unit);
     places first;
     set_places(&first, 0, 1);
