@@ -38,19 +38,12 @@ static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[
     for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
-/* The point at t where the frame has, or may have, overflowed. */
-static void point_within_range(const hit_point *p, double t, double x[3], double position[3]) {
-    for (int i = 0; i < 3; i++) {
-        position[i] = algsurf_i_coordinate_at(p->ray, i, t);
-        x[i] = ldexp(algsurf_multiply_add(t, p->ray->direction[i], p->ray->origin[i]), -p->surface->unit);
-    }
-}
-
-/* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
-static void set_position(const hit_point *p, const double x[3], double t, double position[3]) {
+/* A point in natural units as the caller's; from t where t overflows in natural units (`beyond`), and a
+ * coordinate of which underflow took digits. */
+static void set_position(const hit_point *p, const double x[3], double t, int beyond, double position[3]) {
     for (int i = 0; i < 3; i++) {
         double unpolished = algsurf_i_coordinate_at(p->ray, i, t);
-        int lost = p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900;
+        int lost = beyond || (p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900);
         lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
         position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
     }
@@ -78,9 +71,8 @@ static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const alg
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(&p, x, root->t, hit->position);
-    int beyond = p.frame.lost || !p.frame.one_piece; /* t overflows in natural units: not even one point */
-    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&p, root->t, x, hit->position);
+    set_position(&p, x, root->t, p.frame.lost || !p.frame.one_piece, hit->position);
+    if (!algsurf_is_finite3(hit->position)) set_position(&p, x, root->t, 1, hit->position);
     algsurf_i_set_normal(surface, ray, hit->position, distance_of_t(ray, root), q->memory_limit, hit->normal);
 }
 
@@ -178,23 +170,18 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
     return ALGSURF_OK;
 }
 
-/* Room in `found` for one hit for each degree, but at least one. */
-static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
-                               int *count) {
-    *count = hits_in_lane(q, ray, q->surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK : decide(q, ray, ALGSURF_WANT_ALL, found, count);
-}
-
 static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
                           const algsurf_ray *ray, const algsurf_intersect_options *options, algsurf_hit *hits,
                           int capacity, int *count) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
-    int n = 0;
+    int n;
     if (!surface || !hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
-    if (status == ALGSURF_OK) status = find_all(&q, ray, found, &n);
+    if (status != ALGSURF_OK) return status;
+    n = hits_in_lane(&q, ray, surface->degree, found);
+    if (n < 0) status = decide(&q, ray, ALGSURF_WANT_ALL, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(hits, found, (size_t)n * sizeof *hits);
