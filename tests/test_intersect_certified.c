@@ -116,7 +116,7 @@ TEST(roots_of_all_sizes) {
         int n = 0;
         intersect_equation(&c, cases[i].equation);
         assert_ok(algsurf_i_exact_roots(c.surface, &everywhere, &ray, ALGSURF_WANT_ALL,
-                                        ALGSURF_DEFAULT_MEMORY, NULL, roots, 6, &n));
+                                        ALGSURF_DEFAULT_MEMORY, NULL, roots, &n));
         int as_told = n == cases[i].count;
         for (int k = 0; as_told && k < n; k++)
             as_told = roots[k].multiplicity == 1 && roots[k].t == cases[i].root[k] &&

@@ -337,7 +337,7 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
     assert_ok(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY,
-                                    NULL, found, 8, &n));
+                                    NULL, found, &n));
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {
         if (!hair_between(roots[i], lo, hi)) continue;

@@ -145,7 +145,7 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
     assert_ok(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY, NULL,
-                                    &root, 1, &count));
+                                    &root, &count));
     if (count == 0) return hit;
     hit = (algsurf_hit){.state = ALGSURF_HIT,
                         .multiplicity = root.multiplicity,
@@ -497,12 +497,15 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
 
 /* Undecided ones among some rays, by the kernel itself. */
 static int undecided(const algsurf_extent *extent, int any) {
-    algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any};
-    algsurf_i_rays_hits hits = {.state = q.state, .t = q.t};
+    const algsurf_ray_packet rays = {.count = MOST,
+                                     .origin = {p.origin[0], p.origin[1], p.origin[2]},
+                                     .direction = {p.direction[0], p.direction[1], p.direction[2]},
+                                     .t_min = p.t_min,
+                                     .t_max = p.t_max};
+    const algsurf_i_rays_job job = {.surface = surface, .extent = extent, .rays = &rays, .any = any};
+    algsurf_hit_packet hits = {.state = q.state, .t = q.t};
     int count = 0;
-    for (int k = 0; k < 3; k++) job.origin[k] = p.origin[k], job.direction[k] = p.direction[k];
-    job.t_min = p.t_min, job.t_max = p.t_max;
-    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(&job, MOST, &hits);
+    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(&job, &hits);
     for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_UNDECIDED;
     return count;
 }

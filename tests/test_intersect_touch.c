@@ -151,7 +151,7 @@ TEST(test_backwards) {
         int count = 0;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
         assert_ok(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, ALGSURF_WANT_ALL,
-                                        ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE, &count));
+                                        ALGSURF_DEFAULT_MEMORY, NULL, root, &count));
         int first = ends[i][0] <= 3 ? 0 : 1, last = ends[i][1] >= 5;
         assert_int_equal(count, last - first + 1);
         for (int k = first; k <= last; k++) {

@@ -8,7 +8,7 @@
 #include "base/vec.h"
 #include "exact.h"
 #include "beams/kernels.h"
-#include "picture/shade_impl.h"
+#include "picture/colours.h"
 #include "picture/srgb.h"
 #include "shade_reference.h"
 #include "unit.h"

@@ -174,9 +174,9 @@ static void break_allroots(void) {
 static void break_rays(void);
 TABLE(rays)
 
-static void wrong_solve(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
-    real_rays->solve(job, count, hits);
-    for (size_t i = 0; i < count; i++) {
+static void wrong_solve(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
+    real_rays->solve(job, hits);
+    for (size_t i = 0; i < job->rays->count; i++) {
         if (job->any)
             hits->state[i] = broken == STATES ? ALGSURF_LANE_HIT : hits->state[i];
         else if (broken == HITS && hits->state[i] == ALGSURF_LANE_HIT)
@@ -191,8 +191,8 @@ static void break_rays(void) {
 static void break_ray(void);
 TABLE(ray)
 
-static void wrong_ray_solve(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
-    real_ray->first(job, count, hits);
+static void wrong_ray_solve(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
+    real_ray->first(job, hits);
     if (hits->t) *hits->t = other(*hits->t);
 }
 

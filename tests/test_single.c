@@ -14,16 +14,16 @@ enum { RAYS = 60 };
 /* What a ray meets, by the packets; 0: they leave it undecided. */
 static int first_of_packet(const algsurf_i_rays_job *job, algsurf_hit *hit) {
     uint8_t state = ALGSURF_LANE_MISS;
-    int8_t side = 0;
-    const algsurf_i_rays_hits to = {.state = &state,
-                                    .side = &side,
-                                    .t = &hit->t,
-                                    .t_lo = &hit->t_lo,
-                                    .t_hi = &hit->t_hi,
-                                    .position = {hit->position, hit->position + 1, hit->position + 2},
-                                    .normal = {hit->normal, hit->normal + 1, hit->normal + 2}};
+    signed char side = 0;
+    const algsurf_hit_packet to = {.state = &state,
+                                   .side = &side,
+                                   .t = &hit->t,
+                                   .t_lo = &hit->t_lo,
+                                   .t_hi = &hit->t_hi,
+                                   .position = {hit->position, hit->position + 1, hit->position + 2},
+                                   .normal = {hit->normal, hit->normal + 1, hit->normal + 2}};
     memset(hit, 0, sizeof *hit);
-    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(job, 1, &to);
+    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(job, &to);
     hit->state = state;
     hit->multiplicity = state == ALGSURF_LANE_HIT;
     hit->side = side;
@@ -89,12 +89,12 @@ TEST(test_rays) {
                 direction[k] = entry->extent.centre[k] - origin[k] +
                                0.5 * entry->extent.size[0] * exact_random_unit(&random);
             }
-            const algsurf_i_rays_job job = {.surface = s,
-                                            .extent = &entry->extent,
-                                            .origin = {origin, origin + 1, origin + 2},
-                                            .direction = {direction, direction + 1, direction + 2},
-                                            .t_min = &near,
-                                            .t_max = &far};
+            const algsurf_ray_packet rays = {.count = 1,
+                                             .origin = {origin, origin + 1, origin + 2},
+                                             .direction = {direction, direction + 1, direction + 2},
+                                             .t_min = &near,
+                                             .t_max = &far};
+            const algsurf_i_rays_job job = {.surface = s, .extent = &entry->extent, .rays = &rays};
             judge_ray(entry, &job, &decided);
         }
         assert_true(decided > RAYS / 2);

@@ -4,7 +4,6 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "srgb.h"
-#include "shadow_rays.h"
 
 #include <stdlib.h>
 
@@ -30,33 +29,32 @@ static uint8_t *take_bytes(arena *from, size_t count) { return take(from, count,
 
 /* How large what is laid out is. */
 typedef struct sizes {
-    size_t width, side;    /* of a row; degree + 1 */
-    size_t dense;          /* samples of a row: as many as are taken together */
-    size_t lights, shares; /* where there are shadows; shares of light: one more */
-    size_t taylor;         /* of shadow rays: 1, or 0 */
-    size_t places;         /* leaves of a band */
-    size_t dips;           /* of a row */
-    int lanes;             /* 1: pixels of real space are solved side by side */
-    size_t roots;          /* in complex space */
+    size_t width, side; /* of a row; degree + 1 */
+    size_t dense;       /* samples of a row: as many as are taken together */
+    size_t shares;      /* of light, where there are shadows */
+    int taylor;         /* 1: shadow rays are seen side by side */
+    size_t places;      /* leaves of a band */
+    size_t dips;        /* of a row */
+    int lanes;          /* 1: pixels of real space are solved side by side */
+    size_t roots;       /* in complex space */
+    int format;         /* of middles */
     const algsurf_picture *planes;
 } sizes;
 
 static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
-    const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
-    const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled, real = picture->geometry && !picture->scene->complex;
+    const size_t across = (size_t)algsurf_i_cells_across(picture);
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
-                   .lights = lights,
-                   .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
+                   .shares = picture->shadows ? (size_t)picture->lighting.light_count + 1 : 0,
                    .taylor = picture->geometry && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
                              picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
-                   .lanes = real,
-                   .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
+                   .lanes = picture->geometry && !picture->scene->complex,
+                   .places = picture->tiled ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->geometry && picture->scene->complex ? degree : 0,
+                   .format = picture->scene->transparent ? ALGSURF_RGBA8 : picture->planes.format,
                    .planes = &picture->planes};
 }
 
@@ -90,22 +88,21 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->sure = take_bytes(a, s->width);
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
-    line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
+    line->rays = s->shares > 0 ? take(a, 1, algsurf_i_shadow_memory()) : NULL;
     lay_out_shown(a, s, &line->shown);
 }
 
 static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles) {
     const algsurf_picture *planes = s->planes;
-    const int channels = planes->pixels && planes->format == ALGSURF_RGBA8 ? 4 : 3;
-    /* what is thin, and what is empty, is told by states */
+    /* alpha tells what is empty, states tell what is thin */
     for (int slot = 0; slot < 3; slot++)
         middles->shown[slot] =
-            (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
-                                   .channels = channels,
-                                   .t = planes->t ? take_doubles(a, s->width) : NULL,
-                                   .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
-                                   .state = take_bytes(a, s->width),
-                                   .way = planes->way ? take_bytes(a, s->width) : NULL};
+            (algsurf_picture){.pixels = take_bytes(a, 4 * s->width),
+                              .format = s->format,
+                              .t = planes->t ? take_doubles(a, s->width) : NULL,
+                              .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
+                              .state = take_bytes(a, s->width),
+                              .way = planes->way ? take_bytes(a, s->width) : NULL};
     middles->apart = take_bytes(a, 4 * s->width);
     middles->wanted = take_bytes(a, s->width);
 }
@@ -124,8 +121,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
-    t->runs_row = -1;
-    t->run = take_ints(a, s->width);
     t->list_low = take_doubles(a, s->width);
     t->pixel_low = take_doubles(a, s->width);
     t->pixel_depth = take_doubles(a, s->width);
@@ -152,17 +147,17 @@ static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame)
 }
 
 static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
-    algsurf_i_samples *samples = &picture->light_samples;
-    size_t count = picture->shadows ? (size_t)samples->first[picture->light_count] : 0;
-    for (int k = 0; k < 2; k++) samples->place[k] = take_doubles(a, count);
+    for (int l = 0; picture->shadows && l < picture->lighting.light_count; l++) {
+        const size_t count = (size_t)(picture->lights[l].samples_u * picture->lights[l].samples_v);
+        for (int k = 0; k < 2; k++) picture->samples[l][k] = take_doubles(a, count);
+    }
 }
 
 static void lay_out_geometry(arena *a, const sizes *s, algsurf_i_geometry *geometry) {
     lay_out_frame(a, s, &geometry->frame);
+    geometry->rays.basis = geometry->frame.basis;
     geometry->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
-    geometry->taylor = s->taylor > 0 ? take(a, 1, sizeof *geometry->taylor) : NULL;
-    algsurf_i_frame_form elsewhere; /* while there are none yet */
-    if (s->taylor > 0) lay_out_frame(a, s, a->base ? &geometry->taylor->frame : &elsewhere);
+    if (s->taylor) lay_out_frame(a, s, &geometry->taylor.frame);
 }
 
 static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {

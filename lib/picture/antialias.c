@@ -5,8 +5,8 @@
  * Whether a pixel is wanted depends on four neighbours, so a worker keeps the middles of three rows and draws
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
- * middles alone would have, with alpha, which states tell where it is no byte: what is chosen does not hang
- * on which planes are asked for.  Where there are tiles only pixels of leaves are compared: through the
+ * middles alone would have, with alpha, whether a byte of it is asked for or not: what is chosen does not
+ * hang on which planes are.  Where there are tiles only pixels of leaves are compared: through the
  * others, by proof, no edge goes.  One that shows something thin is not chosen: many samples would make it
  * pale.
  *
@@ -16,21 +16,23 @@
 #include "../base/arithmetic.h"
 #include <string.h>
 
-#include "antialias.h"
-#include "geometry.h"
 #include "impl.h"
 
-static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+/* They count when their row is the one in the making. */
+static algsurf_status draw_middles(algsurf_i_worker *worker, int row) {
     algsurf_i_middles *middles = &worker->middles;
-    algsurf_i_tally *counts = &middles->counts[row % 3];
-    *counts = (algsurf_i_tally){0};
+    middles->counts[row % 3] = (algsurf_i_tally){.without_memory = 0};
     worker->predictor.row = -1;
-    return algsurf_i_render_middles(picture, row, &middles->shown[row % 3], worker, counts);
+    worker->tally = &middles->counts[row % 3];
+    algsurf_status status = algsurf_i_render_middles(worker, row, &middles->shown[row % 3]);
+    worker->tally = &worker->all;
+    return status;
 }
 
 /* Marks the bytes of pixels x .. end-1 that are far from those of a neighbour. */
 static void compare(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles) {
-    const int channels = middles->shown[0].channels, first = channels * x, count = channels * (end - x);
+    const int channels = algsurf_i_channels(&middles->shown[0]), first = channels * x,
+              count = channels * (end - x);
     const int limit = (int)(255 * picture->scene->antialias_threshold);
     const uint8_t *own = middles->shown[row % 3].pixels + first;
     uint8_t *marks = middles->apart + first;
@@ -44,110 +46,78 @@ static void compare(const algsurf_i_picture *picture, int row, int x, int end, a
     mark(own, own + channels, count - right, limit, marks);
 }
 
-/* Has pixel x of the row another alpha, 0 or 255, than a neighbour? */
-static int is_alpha_apart(const algsurf_i_picture *picture, int row, int x,
-                          const algsurf_i_middles *middles) {
-    const uint8_t *own = middles->shown[row % 3].state + x;
-    const int is_empty = *own == ALGSURF_MISS;
-    return (row > 0 && (middles->shown[(row + 2) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
-           (row + 1 < picture->height &&
-            (middles->shown[(row + 1) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
-           (x > 0 && (own[-1] == ALGSURF_MISS) != is_empty) ||
-           (x + 1 < picture->width && (own[1] == ALGSURF_MISS) != is_empty);
-}
-
 /* Lists which of the pixels x .. end-1 show another colour than a neighbour, and nothing thin. */
 static int list_apart(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles,
                       int *list) {
-    const int channels = middles->shown[0].channels;
-    const int alpha = channels == 3 && picture->scene->transparent && picture->scene->antialias_threshold < 1;
+    const int channels = algsurf_i_channels(&middles->shown[0]);
     const uint8_t *state = middles->shown[row % 3].state;
     int count = 0;
     compare(picture, row, x, end, middles);
     for (; x < end; x++) {
         const uint8_t *mark = middles->apart + channels * x;
         int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
-        if (alpha && !apart) apart = is_alpha_apart(picture, row, x, middles);
         list[count] = x;
         count += apart && state[x] != ALGSURF_THIN;
     }
     return count;
 }
 
-/* The runs of pixels in leaves, through which by their tiles an edge may go: the same for all rows of
- * leaves. */
-static void find_runs(const algsurf_i_picture *picture, const int *cell, const algsurf_i_tile *tiles,
-                      algsurf_i_tiling *t) {
-    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    t->runs = 0;
-    for (int i = 0; i < places; i++) {
-        if (cell[i] <= 0 || tiles[cell[i] - 1].enough > 0) continue;
-        t->run[2 * t->runs] = i * ALGSURF_I_LEAF;
-        while (i + 1 < places && cell[i + 1] > 0 && !(tiles[cell[i + 1] - 1].enough > 0)) i++;
-        int end = (i + 1) * ALGSURF_I_LEAF;
-        t->run[2 * t->runs++ + 1] = end < picture->width ? end : picture->width;
-    }
+/* May an edge go through the pixels of a cell, by their tile? */
+static int is_leaf(const algsurf_i_band *band, int cell) {
+    return cell > 0 && !(band->tiles[cell - 1].enough > 0);
 }
 
-/* The same of the pixels in leaves alone. */
-static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
-                          algsurf_i_worker *worker) {
-    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int *cell = band->cell + row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    algsurf_i_tiling *t = &worker->tiling;
+/* The same of the pixels in leaves alone, run by run. */
+static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, int row) {
+    const algsurf_i_picture *picture = worker->picture;
+    const int *cell = band->cell + algsurf_i_first_cell(picture, row);
+    const int cells = algsurf_i_cells_across(picture), width = picture->width;
+    double *low = worker->tiling.list_low;
     int *list = worker->line.list, count = 0;
-    if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
-    t->runs_row = row / ALGSURF_I_LEAF;
-    for (int i = 0; i < t->runs; i++)
-        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, list + count);
-    for (int i = 0; i < count; i++) t->list_low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
+    for (int first = 0, end; first < cells; first = end + 1) {
+        for (end = first; end < cells && is_leaf(band, cell[end]);) end++;
+        const int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF;
+        if (end > first)
+            count +=
+                list_apart(picture, row, x, x_end < width ? x_end : width, &worker->middles, list + count);
+    }
+    for (int i = 0; i < count; i++) low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
     return count;
 }
 
 /* Lists the pixels that show another colour than a neighbour, where edges may go; line->dense tells how many
  * samples of them may be solved side by side: where rays have forms within their bounds, a row of them. */
-static void list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
-    algsurf_i_tiling *t = &worker->tiling;
+static void list_edges(algsurf_i_worker *worker, int row) {
+    const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
+    const algsurf_i_band *band = algsurf_i_band_of(worker, row);
     int begin, end;
     const int within = picture->geometry && !picture->scene->complex &&
                        algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
     line->dense = within ? picture->scene->antialias : 1;
     if (band && within) {
-        line->wanted_count = list_in_leaves(picture, band, row, worker);
+        line->wanted_count = list_in_leaves(worker, band, row);
         return;
     }
     if (!within) begin = 0, end = picture->width;
     line->wanted_count = list_apart(picture, row, begin, end, &worker->middles, line->list);
-    for (int i = 0; within && i < line->wanted_count; i++) t->list_low[i] = -1;
+    for (int i = 0; within && i < line->wanted_count; i++) worker->tiling.list_low[i] = -1;
 }
 
-algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
-                                       algsurf_i_tally *tally) {
+algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
+    const int width = worker->picture->width;
     algsurf_i_middles *middles = &worker->middles;
     algsurf_i_line *line = &worker->line;
     if (middles->end < row - 1) middles->end = row - 1;
-    for (; middles->end <= row + 1 && middles->end < picture->height; middles->end++) {
-        algsurf_status status = draw_middles(picture, middles->end, worker);
+    for (; middles->end <= row + 1 && middles->end < worker->picture->height; middles->end++) {
+        algsurf_status status = draw_middles(worker, middles->end);
         if (status != ALGSURF_OK) return status;
     }
-    algsurf_i_tally_add(tally, &middles->counts[row % 3]);
-    list_edges(picture, row, worker);
-    memset(middles->wanted, 0, (size_t)picture->width);
+    algsurf_i_tally_add(worker->tally, &middles->counts[row % 3]);
+    list_edges(worker, row);
+    memset(middles->wanted, 0, (size_t)width);
     for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
     line->wanted = middles->wanted;
     worker->predictor.row = -1;
     return ALGSURF_OK;
-}
-
-void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
-                            const algsurf_i_row_planes *planes) {
-    const algsurf_i_row_planes *own = &middles->shown[row % 3];
-    size_t count = (size_t)width;
-    if (planes->pixels) memcpy(planes->pixels, own->pixels, (size_t)planes->channels * count);
-    if (planes->t) memcpy(planes->t, own->t, count * sizeof *planes->t);
-    if (planes->normals) memcpy(planes->normals, own->normals, 3 * count * sizeof *planes->normals);
-    if (planes->state) memcpy(planes->state, own->state, count);
-    if (planes->way) memcpy(planes->way, own->way, count);
 }

@@ -5,7 +5,7 @@
  * they are nearly parallel, and the frame's up is right x forward.
  */
 #include "../base/arithmetic.h"
-#include "camera_impl.h"
+#include "scene_impl.h"
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
@@ -96,8 +96,8 @@ void algsurf_i_camera_ray(const algsurf_camera *camera, int width, int height, d
     ray->t_max = INFINITY;
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_ray(const algsurf_camera *camera, int width, int height,
-                                                   double x, double y, algsurf_ray *ray) {
+static algsurf_status checked_ray(const algsurf_camera *camera, int width, int height, double x, double y,
+                                  algsurf_ray *ray) {
     algsurf_ray made;
     if (!ray || width < 1 || height < 1) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_camera_check(camera);
@@ -109,9 +109,6 @@ static ALGSURF_NOINLINE algsurf_status checked_ray(const algsurf_camera *camera,
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x, double y,
-                                  algsurf_ray *ray) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = checked_ray(camera, width, height, x, y, ray));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, camera_ray, checked_ray,
+                 (const algsurf_camera *camera, int width, int height, double x, double y, algsurf_ray *ray),
+                 (camera, width, height, x, y, ray))

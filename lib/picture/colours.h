@@ -1,4 +1,4 @@
-/* colours.h - colours of points, by every kernel. */
+/* colours.h - what is lit, checked, and the colours of points, by every kernel. */
 #ifndef ALGSURF_PICTURE_COLOURS_H
 #define ALGSURF_PICTURE_COLOURS_H
 #include "../beams/rows.h"
@@ -28,5 +28,22 @@ typedef struct algsurf_i_colour_kernel {
 } algsurf_i_colour_kernel;
 
 ALGSURF_KERNEL_TABLES(colour);
+
+#define ALGSURF_MAX_LIGHT_SAMPLES 64 /* along one edge */
+
+/* Each: OK, E_ARGUMENT (null, out of range) or E_NOT_FINITE. */
+algsurf_status algsurf_i_colour_check(const double colour[3]);
+algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material);
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count);
+
+/* Where sample (a, b) of a light is, in its edges from its middle. */
+void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]);
+
+/* For a checked lighting, without its curve. */
+void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job);
+
+/* Of entry i of `looks`. */
+void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position[3], const double normal[3],
+                        const double direction[3], int i, const algsurf_i_looks *looks);
 
 #endif

@@ -11,38 +11,16 @@
  * SURE (1 + u^2).
  *     In all of space no ray is clear. */
 #include "../base/arithmetic.h"
-#include "geometry.h"
-
-#include <math.h>
-
 #include "impl.h"
 
-algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
-    const algsurf_i_geometry *p = picture->geometry;
-    return (algsurf_i_row_job){.view = &p->frame.view,
-                               .basis = p->frame.basis,
-                               .offset = -0.5 * picture->width,
-                               .pixel = p->pixel,
-                               .u0 = p->origin[0],
-                               .du = p->per_slope,
-                               .extent = &picture->scene->extent,
-                               .degree = p->degree,
-                               .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
-                               .planes = p->view_planes,
-                               .plane_count = p->plane_count,
-                               .near = p->near,
-                               .tolerance = p->tolerance,
-                               .thin_side = p->thin_side,
-                               .thin_before = 4 * p->thin_side,
-                               .thin_bends = p->thin_bends};
-}
+#include <math.h>
 
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job) {
     const algsurf_i_geometry *p = picture->geometry;
     const algsurf_i_view *view = &p->frame.view;
-    form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
-    *job = algsurf_i_any_row(picture);
+    form->v = p->v0 + p->rays.du * ((0.5 * picture->height - y) * p->rays.pixel);
+    *job = p->rays;
     job->row = form;
     job->offset += sx;
     job->slope = view->alpha * form->v + view->beta[1];
@@ -101,10 +79,10 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
                                    int *begin, int *end) {
     const algsurf_i_geometry *p = picture->geometry;
     const algsurf_i_view *view = &p->frame.view;
-    const double spread = 1 + fabs(view->alpha), per = p->per_slope * p->pixel,
+    const double spread = 1 + fabs(view->alpha), per = p->rays.du * p->rays.pixel,
                  middle = 0.5 * picture->height;
-    const double v0 = p->origin[1] + per * (middle - top), v1 = p->origin[1] + per * (middle - bottom);
-    const pixel_line line = {p->origin[0], per, 0.5 * picture->width, picture->width};
+    const double v0 = p->v0 + per * (middle - top), v1 = p->v0 + per * (middle - bottom);
+    const pixel_line line = {p->rays.u0, per, 0.5 * picture->width, picture->width};
     const clearance never = {0, 0, 0};
     const int endless = picture->scene->extent.kind == ALGSURF_EXTENT_ALL;
     const clearance rows = endless ? never : clearance_across(view, 1);
@@ -120,7 +98,7 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
     int first = clear_up_to(&line, &pixels, -1, step), last = clear_up_to(&line, &pixels, 1, step);
     if (first >= last) return 1;
     /* what is so many pixels or less from where u is 0 is within the bounds */
-    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per), zero = line.half - p->origin[0] / per;
+    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per), zero = line.half - p->rays.u0 / per;
     double least = step * ceil((zero - room) / step), most = step * floor((zero + room) / step);
     if (!(fmax(least, first) < fmin(most, last))) return 0;
     *begin = (int)fmax(least, first);

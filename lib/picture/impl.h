@@ -1,4 +1,5 @@
-/* impl.h - a picture in the making: what all its rows share, and what each thread draws with.
+/* impl.h - a picture in the making: what all its rows share, what each thread draws with, and the steps of a
+ * row.
  *
  * render.c checks and prepares it, allocate.c gives it memory, threads.c hands out its rows, row.c draws
  * them. */
@@ -6,18 +7,29 @@
 #define ALGSURF_RENDER_IMPL_H
 #include <stdatomic.h>
 
-#include "antialias.h"
-#include "complex_rows.h"
 #include "../beams/kernels.h"
-#include "colours.h"
+#include "../beams/segments.h"
 #include "line.h"
-#include "geometry.h"
 #include "scene_impl.h"
-#include "shadow.h"
-#include "tally.h"
-#include "tiling.h"
 
 #define ALGSURF_MAX_THREADS 256
+
+/* What kernels need to know of a picture whose rays share a view (scene_view.c). */
+typedef struct algsurf_i_geometry {
+    algsurf_i_frame_form frame;
+    algsurf_i_row_job rays; /* what the jobs of all rows have in common, through the pixels' left edges */
+    double v0;              /* of the picture's middle, as rays.u0 */
+    int orthographic;
+    /* the planes that cut something off, in the axes of the view and in those of the caller */
+    algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
+    double thin_bends[ALGSURF_MAX_VIEW_DEGREE + 1]; /* as in algsurf_i_row_job */
+    double *beams;                                  /* in a tiled picture: algsurf_i_beam_expand's g */
+    algsurf_i_taylor taylor;                        /* where shadows are drawn */
+    /* complex space: as in algsurf_i_complex_job */
+    algsurf_i_sector_edges sector;
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
+    int top;
+} algsurf_i_geometry;
 
 /* What all rows of a picture share; only stop ever changes. */
 typedef struct algsurf_i_picture {
@@ -25,9 +37,9 @@ typedef struct algsurf_i_picture {
     int width, height, row_begin, row_end;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting;
-    int light_count; /* of lighting */
-    int shadows;     /* 1: light_samples is there, and shadows are drawn */
-    algsurf_i_samples light_samples;
+    int shadows;                            /* 1: they are drawn, and what follows is there */
+    double *samples[ALGSURF_MAX_LIGHTS][2]; /* in a light's edges from its middle; none of a light whose
+                                               points differ from pixel to pixel */
     const algsurf_i_kernel *kernel;
     const algsurf_i_beams_kernel *code; /* for that kernel */
     const algsurf_i_colour_kernel *shader;
@@ -36,45 +48,128 @@ typedef struct algsurf_i_picture {
     int tiled;                    /* 1: there is a view, and tiles of it */
     int thin;                     /* 1: what is thin is shown: there is a view */
     algsurf_picture planes;
-    int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
     uint8_t *curve;  /* of sRGB, SRGB_STEPS entries */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;
 
+/* A band's cells (algsurf_i_tile_job) in a row of them, and the first one of those that a row is in. */
+static inline int algsurf_i_cells_across(const algsurf_i_picture *picture) {
+    return (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+}
+static inline int algsurf_i_first_cell(const algsurf_i_picture *picture, int row) {
+    return row % ALGSURF_I_TILES / ALGSURF_I_LEAF * algsurf_i_cells_across(picture);
+}
+
 /* What one thread draws with, and where it is. */
 typedef struct algsurf_i_worker {
+    const algsurf_i_picture *picture;
     algsurf_i_line line;
     algsurf_i_row_form form; /* of the row in the making */
     algsurf_i_tiling tiling;
     algsurf_i_predictor predictor;
     algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */
-    algsurf_i_tally tally;
+    algsurf_i_tally all;
+    algsurf_i_tally *tally; /* where it counts: all, or what may not count */
+    double lap;             /* the clock when it was last read, for `all` */
 } algsurf_i_worker;
+
+/* Seconds since some moment in the past; never goes back.  0 if nobody asks for the picture's times. */
+double algsurf_i_render_clock(const algsurf_i_picture *picture);
+
+/* Adds the time since the clock was read last. */
+static inline void algsurf_i_lap(algsurf_i_worker *worker, double *seconds) {
+    double now = algsurf_i_render_clock(worker->picture);
+    *seconds += now - worker->lap;
+    worker->lap = now;
+}
+
+static inline int algsurf_i_stopped(const algsurf_i_picture *picture) {
+    return atomic_load_explicit(&picture->stop, memory_order_relaxed);
+}
+
+/* ---- before the first row ---- */
+
+/* Fills a picture's geometry, but for the frame's arrays; 0 if this scene is not one for them. */
+int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *geometry);
+
+/* Sets how small and how large things are for which thin ones are looked for. */
+void algsurf_i_prepare_thin(algsurf_i_geometry *geometry, int across);
+
+/* Is this a picture for tiles, as far as one can tell beforehand? */
+int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *geometry);
+
+/* Sets the samples of lights, for which there is room. */
+void algsurf_i_place_samples(algsurf_i_picture *picture);
+
+/* What is known of shadow rays for all rows; memory as for algsurf_i_frame_expand. */
+void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory);
+size_t algsurf_i_shadow_memory(void); /* of line.rays */
 
 /* Memory for a picture and its workers, all 0, to be freed; null: there is none. */
 void *algsurf_i_allocate(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers);
 
-/* How many processors there are; less than 1 if the system fails to tell. */
-long algsurf_i_processors(void);
+/* How many threads to draw with: as many as there are processors, if nobody tells; never more than rows. */
+int algsurf_i_thread_count(const algsurf_render_options *options);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
- * for each.  threads_used receives how many could be had. */
+ * for each.  total->stats.threads receives how many could be had. */
 algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
-                                        int *threads_used);
+                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total);
 
-/* Draws one row, row_begin <= row < row_end, and adds to the tally.  OK, CANCELLED when stop was set (the
- * row's bytes are untouched then), or what intersect returned. */
-algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
-                                    algsurf_i_tally *tally);
+/* ---- the steps of a row, which count in worker->tally.  OK, CANCELLED or what intersect returned ---- */
 
-/* One sample a pixel: what is seen through the middles of a row's pixels.  OK, CANCELLED or what intersect
- * returned. */
-algsurf_status algsurf_i_render_middles(const algsurf_i_picture *picture, int row,
-                                        const algsurf_i_row_planes *planes, algsurf_i_worker *worker,
-                                        algsurf_i_tally *tally);
+/* Draws one row, row_begin <= row < row_end.  When cancelled, the row's bytes are untouched. */
+algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row);
+
+/* One sample a pixel: what is seen through the middles of a row's pixels. */
+algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const algsurf_picture *planes);
+
+/* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
+ * sets line.wanted. */
+algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
+
+/* The job of the row y from the top, through offset sx in each pixel, without its form's coefficients. */
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job);
+
+/* The pixels begin <= x < end, multiples of `step`, all of whose rays between two heights, counted in pixels
+ * from the top, are within the bounds of forms; the last `step` pixels may reach beyond the picture.  Returns
+ * 1 if the rays of all others surely miss what is shown. */
+int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int step,
+                                   int *begin, int *end);
+
+/* The tiles of the band that the row lies in; null: there are none that tell of all its pixels. */
+const algsurf_i_band *algsurf_i_band_of(algsurf_i_worker *worker, int row);
+
+/* Counts the band that the row lies in, if it is the first row of it that is drawn. */
+void algsurf_i_count_tiles(algsurf_i_worker *worker, int row);
+
+/* In a picture with a view: the points of a row, seen through offset (sx,sy) in each wanted pixel, are added
+ * to the line's; in real space by tiles, where there are any, and by forms.  Return whether some are
+ * undecided. */
+int algsurf_i_solve_row(algsurf_i_worker *worker, int row, double sx, double sy);
+int algsurf_i_solve_complex_row(algsurf_i_worker *worker, int row, double sx, double sy);
+
+/* The same of the samples of the line's listed pixels that are side by side, sy below the row's upper end. */
+int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy);
+
+/* The rays of undecided samples, begin <= x < end, y from the top. */
+algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, double sx, int begin, int end);
+
+/* The line's points from `first` on, as kernels are to find them; and those that were not found, as line.sure
+ * tells, leave the line: their samples are undecided.  Returns 1. */
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first);
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
+
+/* line.visible of a row's points: the share of each light's points that nothing hides, 1 where that adds
+ * nothing to the colour whatever the share, and that of free directions. */
+algsurf_status algsurf_i_render_shadows(algsurf_i_worker *worker, int row);
+
+/* Adds to the line, whose points have their colours, what is thin beside the pixels' rays (thin_template.h
+ * tells how it is found). */
+void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy);
 
 #endif

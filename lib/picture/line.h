@@ -1,4 +1,5 @@
-/* line.h - a row in the making: the points that are seen through its pixels, and what the pixels show.
+/* line.h - a row in the making: the points that are seen through its pixels, what the pixels show, and the
+ * tiles that they are in.
  *
  * A pass adds one sample of each pixel, or several that lie side by side: its points are found, coloured and
  * added to what the pixels show. */
@@ -8,10 +9,16 @@
 #include <string.h>
 
 #include "algsurf/intersect.h"
+#include "algsurf/render.h"
 #include "colours.h"
-#include "tally.h"
 
-typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
+/* What is counted and timed while rows are drawn: by each thread, then added up. */
+typedef struct algsurf_i_tally {
+    algsurf_render_stats stats; /* of it what adds up */
+    uint64_t without_memory;    /* packets of rays of which some could not be decided for want of memory */
+} algsurf_i_tally;
+
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more);
 
 /* What the pixels of a row show, over the samples drawn so far. */
 typedef struct algsurf_i_shown {
@@ -40,10 +47,9 @@ typedef struct algsurf_i_line {
     algsurf_i_points points;
     const algsurf_i_colour_job *colours; /* null: none are asked for */
     float *colour;                       /* 3 for each point; */
-    uint32_t *bytes; /* or, as_bytes, where each is a pixel of its own: red + 256 green + 65536 blue */
-    int as_bytes;
-    double *visible;                    /* light_count + 1 for each point, in full quality */
-    struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
+    uint32_t *bytes; /* or, where each is a pixel of its own, across = 1: red + 256 green + 65536 blue */
+    double *visible; /* light_count + 1 for each point, in full quality */
+    struct algsurf_i_shadow_rays *rays; /* likewise, in the making: shadow.c */
     double *depth;                      /* of each entry: where kernels found it */
     uint8_t *sure;                      /* of each entry: kernels have found its point */
     double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
@@ -54,38 +60,9 @@ typedef struct algsurf_i_line {
 
 #define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
 
-/* Where a row of pixels goes: what is null is not asked for. */
-typedef struct algsurf_i_row_planes {
-    uint8_t *pixels;
-    int channels;
-    double *t;
-    float *normals;
-    uint8_t *state, *way;
-} algsurf_i_row_planes;
-
-/* Where sample x of the line's row is, in pixels from the left, if it is `offset` in its pixel; dense samples
- * have their own. */
-static inline double algsurf_i_place_of(const algsurf_i_line *line, int x, double offset) {
-    return line->dense > 1 ? (x + 0.5) / line->dense : x + offset;
-}
-
-/* No sample has been drawn yet. */
-static inline void algsurf_i_begin_shown(const algsurf_i_shown *shown, int width) {
-    memset(shown->samples, 0, (size_t)width * sizeof *shown->samples);
-    if (shown->way) memset(shown->way, 0, (size_t)width);
-}
-
-/* Is t less than that of each sample of pixel x so far? */
-static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
-    return shown->samples[x] == 0 || t < shown->nearest[x];
-}
-
-/* Adds a sample to pixel x: its t; its colour is for the caller to add to the sum, which the first one sets
- * to 0. */
-static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, double t) {
-    int first = shown->samples[x]++ == 0;
-    for (int k = 0; k < 3 && first; k++) shown->sum[3 * x + k] = 0;
-    shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
+/* Bytes of a pixel, where bytes are asked for. */
+static inline int algsurf_i_channels(const algsurf_picture *planes) {
+    return planes->format == ALGSURF_RGBA8 ? 4 : 3;
 }
 
 /* The states of the row's samples, one a pixel, before it is solved: those wanted miss, or are undecided. */
@@ -96,17 +73,59 @@ static inline void algsurf_i_begin_states(const algsurf_i_line *line, int misses
         if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
 }
 
-/* The line's points from `first` on, as kernels are to find them. */
-algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
-                                          int first);
+/* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
+ * samples, there is none of it. */
+typedef struct algsurf_i_middles {
+    int end;                   /* the rows before this one have been drawn */
+    algsurf_picture shown[3];  /* what is asked for, pixels and states in any case */
+    algsurf_i_tally counts[3]; /* of the rays through them */
+    uint8_t *apart;            /* of each byte of the row in the making: is it far from a neighbour's? */
+    uint8_t *wanted;           /* of each pixel of that row */
+} algsurf_i_middles;
 
-/* Points from `first` on that were not found, as line->sure tells, leave the line: their samples are
- * undecided. Returns 1. */
-int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
+/* The roots of the pixels solved last, in complex space (algsurf_i_complex_job). */
+typedef struct algsurf_i_predictor {
+    double *x, *y;
+    int row; /* whose they are; -1: of no use */
+} algsurf_i_predictor;
 
-/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
- * counts it. */
-void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
-                        algsurf_i_tally *tally);
+/* Rows: in complex space one in so many begins without roots from above; those up to the next one are drawn
+ * together. */
+#define ALGSURF_I_BAND 16
+
+/* ---- tiles, a band of rows at a time ----
+ *
+ * A tile is searched as one (tiles_template.h): all its rays miss, or each sees the same sheet of the
+ * surface, or it is quartered.  The pixels of what is left, leaves, are solved side by side (pixels.c). */
+
+#define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
+
+/* The tiles of a band of rows. */
+typedef struct algsurf_i_band {
+    int number;     /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
+    int begin, end; /* pixels of a row that have tiles: those whose rays are within the bounds of forms; */
+    int whole;      /* 1: all others miss, and what follows is there */
+    algsurf_i_tally counts;
+    int *cell; /* as in algsurf_i_tile_job */
+    algsurf_i_tile *tiles;
+} algsurf_i_band;
+
+/* A picture's bands, as a worker gets to them, and its memory for making them. */
+typedef struct algsurf_i_tiling {
+    algsurf_i_band band[2]; /* band b is at b % 2 */
+    algsurf_i_beam_row beam;
+    double *square; /* (degree+1)^2 */
+    int *at;        /* of two levels of tiles that are to be searched: */
+    double *from;   /* as in algsurf_i_tile_job */
+    /* of a row in the making: the sheets of the line's entries, */
+    double *low, *high, *enough;
+    double *list_low; /* of the line's list: their rays have no root before; */
+    /* and the pixels that are solved side by side, in the order of the row */
+    int pixels, *pixel;
+    double *pixel_low, *pixel_depth;
+    uint8_t *pixel_state;
+    algsurf_i_dips dips; /* of these; */
+    double *thin;        /* depths of what is thin */
+} algsurf_i_tiling;
 
 #endif

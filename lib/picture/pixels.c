@@ -6,8 +6,6 @@
  * then goes ray by ray (undecided.c). */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "solve.h"
-#include "tiling.h"
 
 #include <string.h>
 
@@ -64,12 +62,11 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
 }
 
 /* The samples of the listed pixels. */
-static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+static void collect_listed(algsurf_i_worker *worker, int row) {
     const algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_band *band = picture->tiled && line->way ? algsurf_i_band_of(picture, row, 1, t) : NULL;
-    const int dense = line->dense, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    const algsurf_i_band *band = line->way ? algsurf_i_band_of(worker, row) : NULL;
+    const int dense = line->dense, first = algsurf_i_first_cell(worker->picture, row);
     t->pixels = 0;
     for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
         const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
@@ -80,49 +77,90 @@ static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_
 }
 
 /* The row's pixels, by what their tiles are. */
-static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
-                    algsurf_i_worker *worker) {
-    int width = picture->width, places = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
-    worker->tiling.pixels = 0;
-    memset(worker->line.state + worker->line.begin, ALGSURF_LANE_MISS,
-           (size_t)(worker->line.end - worker->line.begin));
+static void collect(algsurf_i_worker *worker, const algsurf_i_band *band, int row, double sx, double sy) {
+    int width = worker->picture->width, places = algsurf_i_cells_across(worker->picture);
+    const int *cell = band->cell + algsurf_i_first_cell(worker->picture, row);
+    algsurf_i_begin_states(&worker->line, 1);
     for (int first = 0, end; first < places; first = end) {
         for (end = first + 1; end < places && cell[end] == cell[first];) end++;
         int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
         if (cell[first] < 0)
             set_ways(&worker->line, x, x_end, -cell[first], ALGSURF_WAY_EMPTY);
         else
-            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling);
+            collect_tile(band->tiles + cell[first] - 1, x, x_end, row + sy, sx, &worker->line,
+                         &worker->tiling);
     }
 }
 
 /* The row's pixels, all of them between the depths of what is shown; returns whether some are undecided:
  * those beyond the bounds of forms. */
-static int collect_all(const algsurf_i_picture *picture, double y, algsurf_i_worker *worker) {
+static int collect_all(algsurf_i_worker *worker, double y) {
     algsurf_i_line *line = &worker->line;
-    int begin, end, misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, &begin, &end);
-    worker->tiling.pixels = 0;
+    int begin, end, misses = algsurf_i_pixels_within_bounds(worker->picture, y, y, 1, &begin, &end);
     algsurf_i_begin_states(line, misses);
     for (int x = begin; x < end; x++)
         if (!line->wanted || line->wanted[x]) add_pixel(&worker->tiling, x, -1);
     return !misses;
 }
 
-/* The line's points, which are on sheets; returns whether some are undecided. */
-static int find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
-                       algsurf_i_worker *worker) {
+static void move_point(const algsurf_i_points *p, int from, int to) {
+    p->t[to] = p->t[from];
+    for (int k = 0; k < 3; k++) {
+        p->position[k][to] = p->position[k][from];
+        p->normal[k][to] = p->normal[k][from];
+        p->direction[k][to] = p->direction[k][from];
+        p->looks.place[k][to] = p->looks.place[k][from];
+        p->looks.normal[k][to] = p->looks.normal[k][from];
+        p->looks.direction[k][to] = p->looks.direction[k][from];
+    }
+}
+
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
+    int kept = first;
+    for (int i = first; i < line->count; i++) {
+        if (!line->sure[i]) {
+            line->state[line->pixel[i]] = ALGSURF_LANE_UNDECIDED;
+            continue;
+        }
+        if (kept < i) move_point(&line->points, i, kept);
+        line->pixel[kept++] = line->pixel[i];
+    }
+    line->count = kept;
+    return 1;
+}
+
+/* Shadows need to know places exactly. */
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first) {
+    const int shadows = worker->picture->shadows;
+    const algsurf_i_points *p = &worker->line.points;
+    algsurf_i_points found = {.t = p->t + first};
+    for (int k = 0; k < 3; k++) {
+        if (shadows) found.position[k] = p->position[k] + first;
+        if (shadows) found.direction[k] = p->direction[k] + first;
+        if (shadows || worker->picture->planes.normals) found.normal[k] = p->normal[k] + first;
+        if (!worker->line.colours) continue;
+        found.looks.place[k] = p->looks.place[k] + first;
+        found.looks.normal[k] = p->looks.normal[k] + first;
+        found.looks.direction[k] = p->looks.direction[k] + first;
+    }
+    return found;
+}
+
+/* The points of the line's entries from `first` on; returns whether some are undecided. */
+static int find_points(algsurf_i_worker *worker, const algsurf_i_row_job *job, int first,
+                       const algsurf_i_sheets *sheets) {
+    const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_sheets sheets = {t->low, t->high, t->enough};
-    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, 0);
-    return !picture->code->points(job, line->pixel, line->depth, line->count, &sheets, line->sure, &points) &&
-           algsurf_i_drop_unsure(line, 0);
+    const algsurf_i_point_job points = {picture->scene->surface, job, &picture->colours.frame};
+    const algsurf_i_points found = algsurf_i_points_to_find(worker, first);
+    int all = picture->code->points(&points, line->pixel + first, line->depth + first, line->count - first,
+                                    sheets, line->sure + first, &found);
+    return !all && algsurf_i_drop_unsure(line, first);
 }
 
 /* Depths of the listed pixels that are hit, after the line's points; returns whether some are undecided. */
-static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
-                        algsurf_i_worker *worker) {
+static int solve_pixels(algsurf_i_worker *worker, const algsurf_i_row_job *job) {
+    const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low};
@@ -141,70 +179,53 @@ static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_jo
 }
 
 /* The points of the listed pixels, after the line's; returns whether some are undecided. */
-static int find_pixels(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
-                       algsurf_i_worker *worker, algsurf_i_tally *tally) {
-    algsurf_i_line *line = &worker->line;
-    const int before = line->count;
-    double begun = algsurf_i_render_clock(picture);
-    algsurf_i_row_expand(&picture->geometry->frame, worker->form.v, &worker->form);
-    double expanded = algsurf_i_render_clock(picture);
-    int undecided = solve_pixels(picture, job->row, worker);
-    double solved = algsurf_i_render_clock(picture);
-    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, before);
-    if (!picture->code->points(job, line->pixel + before, line->depth + before, line->count - before, NULL,
-                               line->sure + before, &points))
-        undecided |= algsurf_i_drop_unsure(line, before);
-    tally->expand_s += expanded - begun;
-    tally->solve_s += solved - expanded;
-    tally->point_s += algsurf_i_render_clock(picture) - solved;
+static int find_pixels(algsurf_i_worker *worker, const algsurf_i_row_job *job) {
+    algsurf_render_stats *stats = &worker->tally->stats;
+    const int before = worker->line.count;
+    algsurf_i_row_expand(&worker->picture->geometry->frame, worker->form.v, &worker->form);
+    algsurf_i_lap(worker, &stats->expand_s);
+    int undecided = solve_pixels(worker, job);
+    algsurf_i_lap(worker, &stats->solve_s);
+    undecided |= find_points(worker, job, before, NULL);
+    algsurf_i_lap(worker, &stats->point_s);
     return undecided;
 }
 
-algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
+int algsurf_i_solve_row(algsurf_i_worker *worker, int row, double sx, double sy) {
     algsurf_i_line *line = &worker->line;
+    algsurf_i_tiling *t = &worker->tiling;
+    algsurf_render_stats *stats = &worker->tally->stats;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours.frame};
-    double begun = algsurf_i_render_clock(picture);
-    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
+    const algsurf_i_band *band = algsurf_i_band_of(worker, row);
     int undecided = 0;
-    worker->tiling.dips.count = 0;
-    tally->rays += (uint64_t)line->wanted_count;
-    algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
+    t->dips.count = t->pixels = 0;
+    algsurf_i_make_row(worker->picture, row + sy, sx, &worker->form, &job);
     if (band)
-        collect(picture, band, row + sy, sx, worker);
+        collect(worker, band, row, sx, sy);
     else
-        undecided = collect_all(picture, row + sy, worker);
-    if (band) tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.pixels);
-    double collected = algsurf_i_render_clock(picture);
-    tally->solve_s += collected - begun;
+        undecided = collect_all(worker, row + sy);
+    if (band) stats->empty_rays += (uint64_t)(line->wanted_count - line->count - t->pixels);
+    algsurf_i_lap(worker, &stats->solve_s);
     if (line->count > 0) {
-        undecided |= find_sheets(picture, &points, worker);
-        tally->sheet_rays += (uint64_t)line->count;
-        tally->point_s += algsurf_i_render_clock(picture) - collected;
+        undecided |= find_points(worker, &job, 0, &(algsurf_i_sheets){t->low, t->high, t->enough});
+        stats->sheet_rays += (uint64_t)line->count;
+        algsurf_i_lap(worker, &stats->point_s);
     }
-    if (worker->tiling.pixels > 0) undecided |= find_pixels(picture, &points, worker, tally);
-    tally->hits += (uint64_t)line->count;
-    if (!undecided) return ALGSURF_OK;
-    double left = algsurf_i_render_clock(picture);
-    algsurf_status status =
-        algsurf_i_solve_undecided(picture, row + sy, sx, line->begin, line->end, line, tally);
-    tally->solve_s += algsurf_i_render_clock(picture) - left;
-    return status;
+    if (t->pixels > 0) undecided |= find_pixels(worker, &job);
+    stats->hits += (uint64_t)line->count;
+    return undecided;
 }
 
-int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
-                           algsurf_i_tally *tally) {
+int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy) {
     algsurf_i_line *line = &worker->line;
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours.frame};
-    tally->rays += (uint64_t)(dense * line->wanted_count);
-    algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
-    job.offset = 0.5 - 0.5 * picture->width * dense;
+    algsurf_i_make_row(worker->picture, row + sy, 0.5, &worker->form, &job);
+    job.offset = 0.5 - 0.5 * worker->picture->width * dense;
     job.pixel /= dense;
-    collect_listed(picture, row, worker);
-    int undecided = find_pixels(picture, &points, worker, tally);
-    tally->hits += (uint64_t)(line->count - before);
+    collect_listed(worker, row);
+    int undecided = find_pixels(worker, &job);
+    worker->tally->stats.rays += (uint64_t)(dense * line->wanted_count);
+    worker->tally->stats.hits += (uint64_t)(line->count - before);
     return undecided;
 }

@@ -1,17 +1,10 @@
 /* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "thin.h"
-#include "geometry.h"
-#include "shadow.h"
-#include "srgb.h"
-#include "tiling.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-#include "camera_impl.h"
-#include "shade_impl.h"
+#include "srgb.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"
@@ -33,19 +26,9 @@ static algsurf_status read_planes(const algsurf_picture *given, int width, algsu
     if (!given || !algsurf_options_read(planes, sizeof *planes, given)) return ALGSURF_E_ARGUMENT;
     if (!planes->pixels) return ALGSURF_OK;
     if (planes->format != ALGSURF_RGB8 && planes->format != ALGSURF_RGBA8) return ALGSURF_E_ARGUMENT;
-    picture->channels = planes->format == ALGSURF_RGBA8 ? 4 : 3;
-    size_t row = (size_t)picture->channels * (size_t)width;
+    size_t row = (size_t)algsurf_i_channels(planes) * (size_t)width;
     if (planes->stride == 0) planes->stride = row;
     return planes->stride >= row ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
-}
-
-/* How many threads to draw with: never more than rows. */
-static int thread_count(const algsurf_render_options *options) {
-    long threads = options->threads > 0 ? options->threads : algsurf_i_processors();
-    int rows = options->row_end - options->row_begin;
-    if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
-    if (threads > rows) threads = rows;
-    return threads < 1 ? 1 : (int)threads;
 }
 
 /* The rays through the picture's corners are finite, hence all rays between them. */
@@ -75,11 +58,9 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->selective = scene->antialias > 1 && scene->antialias_threshold > 0;
     atomic_init(&picture->stop, 0);
     algsurf_i_scene_lighting(scene, picture->lights, &picture->lighting);
-    picture->light_count = picture->lighting.light_count;
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
                              &picture->colours);
-    algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_beams_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
@@ -88,38 +69,9 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
         picture->geometry && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
     picture->tiled = picture->geometry && algsurf_i_tiles_pay(picture, picture->geometry);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
-        !lights_are_finite(picture->lights, picture->light_count))
+        !lights_are_finite(picture->lights, picture->lighting.light_count))
         return ALGSURF_E_NOT_FINITE;
     return ALGSURF_OK;
-}
-
-/* The caller's struct may be shorter or longer than ours; what is unknown here becomes 0. */
-static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *total, double seconds,
-                        int threads, const char *kernel) {
-    algsurf_render_stats ours = {.size = sizeof ours,
-                                 .rays = total->rays,
-                                 .hits = total->hits,
-                                 .undecided = total->undecided,
-                                 .shadow_rays = total->shadow_rays,
-                                 .solve_s = total->solve_s,
-                                 .shade_s = total->shade_s,
-                                 .total_s = seconds,
-                                 .threads = threads,
-                                 .iterations = total->iterations,
-                                 .single_rays = total->single_rays,
-                                 .expand_s = total->expand_s,
-                                 .point_s = total->point_s,
-                                 .shadow_s = total->shadow_s,
-                                 .kernel = kernel,
-                                 .tiles = total->tiles.all,
-                                 .empty_tiles = total->tiles.empty,
-                                 .sheet_tiles = total->tiles.sheets,
-                                 .leaf_tiles = total->tiles.leaves,
-                                 .empty_rays = total->empty_rays,
-                                 .sheet_rays = total->sheet_rays,
-                                 .exact_rays = total->exact_rays,
-                                 .thin = total->thin};
-    algsurf_options_write(stats, &ours, sizeof ours);
 }
 
 /* Brings P to the picture's view; a frame that leaves the range of double is done without a view. */
@@ -142,9 +94,9 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
 }
 
 static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                            algsurf_i_tally *total, int *threads_used) {
+                                            algsurf_i_tally *total) {
     algsurf_i_worker *workers;
-    int threads = thread_count(options);
+    int threads = algsurf_i_thread_count(options);
     double begun = algsurf_i_render_clock(picture);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     void *memory = algsurf_i_allocate(picture, threads, &workers);
@@ -155,38 +107,33 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
         status = make_frame(picture);
     }
     double expanded = algsurf_i_render_clock(picture);
-    if (status == ALGSURF_OK)
-        status = algsurf_i_render_threads(picture, options, threads, workers, total, threads_used);
-    total->expand_s += expanded - begun;
+    if (status == ALGSURF_OK) status = algsurf_i_render_threads(picture, options, threads, workers, total);
+    total->stats.expand_s += expanded - begun;
     free(memory);
     return status;
 }
 
-/* In the standard environment. */
-static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
-                                              const algsurf_render_options *options,
-                                              const algsurf_picture *planes, algsurf_render_stats *stats) {
+static algsurf_status render(const algsurf_scene *scene, const algsurf_render_options *options,
+                             const algsurf_picture *planes, algsurf_render_stats *stats) {
     algsurf_i_geometry geometry;
     algsurf_i_picture picture = {.geometry = &geometry, .timed = stats != NULL};
-    double begin = algsurf_i_render_clock(&picture);
+    double begun = algsurf_i_render_clock(&picture);
     algsurf_render_options o;
-    algsurf_i_tally total = {0};
-    int threads = 0;
-
+    algsurf_i_tally total = {.without_memory = 0};
     if (!scene || (stats && !algsurf_options_fit(stats, sizeof *stats))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
     if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
     if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);
-    if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
+    if (status == ALGSURF_OK) status = draw(&picture, &o, &total);
     if (status == ALGSURF_OK && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
-    if ((status >= 0 || total.without_memory > 0) && stats)
-        write_stats(stats, &total, algsurf_i_render_clock(&picture) - begin, threads, picture.kernel->name);
+    if (!stats || (status < 0 && total.without_memory == 0)) return status;
+    total.stats.total_s = algsurf_i_render_clock(&picture) - begun;
+    total.stats.kernel = picture.kernel->name;
+    algsurf_options_write(stats, &total.stats, sizeof total.stats);
     return status;
 }
 
-algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
-                              const algsurf_picture *picture, algsurf_render_stats *stats) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = render(scene, options, picture, stats));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, render, render,
+                 (const algsurf_scene *scene, const algsurf_render_options *options,
+                  const algsurf_picture *picture, algsurf_render_stats *stats),
+                 (scene, options, picture, stats))

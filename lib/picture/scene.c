@@ -4,13 +4,10 @@
 
 #include <stdlib.h>
 
-#include "camera_impl.h"
 #include "../base/fpenv.h"
-#include "../rays/query.h"
+#include "../rays/intersect_impl.h"
 #include "../base/options.h"
-#include "../rays/planes.h"
-#include "../rays/ray_impl.h"
-#include "shade_impl.h"
+#include "colours.h"
 #include "../base/vec.h"
 
 static const algsurf_material default_material = {
@@ -53,72 +50,78 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
 
 void algsurf_scene_free(algsurf_scene *scene) { free(scene); }
 
-algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
+/* algsurf_scene_set_<part>, by set_<part>. */
+#define SETTER(part, type)                                                                                   \
+    ALGSURF_I_PUBLIC(algsurf_status, scene_set_##part, set_##part, (algsurf_scene * scene, type value),      \
+                     (scene, value))
+
+static algsurf_status set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
     static const algsurf_extent all_of_space = {.kind = ALGSURF_EXTENT_ALL};
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = algsurf_i_extent_check(extent));
+    algsurf_status status = algsurf_i_extent_check(extent);
     if (status == ALGSURF_OK) scene->extent = extent ? *extent : all_of_space;
     return status;
 }
 
-algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
+SETTER(extent, const algsurf_extent *)
+
+static algsurf_status set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = algsurf_i_camera_check(camera));
+    algsurf_status status = algsurf_i_camera_check(camera);
     if (status == ALGSURF_OK) scene->camera = *camera;
     return status;
 }
 
-algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material) {
-    if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
+SETTER(camera, const algsurf_camera *)
+
+static algsurf_status set_material(algsurf_scene *scene, const algsurf_material *material) {
     algsurf_material known;
+    if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_material_read(material, &known);
-    algsurf_fpenv_leave(&saved);
     if (status == ALGSURF_OK) scene->material = known;
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status check_lights(const algsurf_light *lights, int count) {
-    algsurf_status status = ALGSURF_OK;
-    for (int l = 0; status == ALGSURF_OK && l < count; l++) status = algsurf_i_light_check(&lights[l]);
-    return status;
-}
+SETTER(material, const algsurf_material *)
 
-algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
-    if (!scene || count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights))
-        return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = check_lights(lights, count));
+static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_lights_check(lights, count);
     if (status != ALGSURF_OK) return status;
     for (int l = 0; l < count; l++) scene->lights[l] = lights[l];
     scene->light_count = count;
     return ALGSURF_OK;
 }
 
+ALGSURF_I_PUBLIC(algsurf_status, scene_set_lights, set_lights,
+                 (algsurf_scene * scene, const algsurf_light *lights, int count), (scene, lights, count))
+
 /* A copy of a colour, black for null. */
 static algsurf_status copy_colour(const double colour[3], double copy[3]) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK);
+    algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
     for (int i = 0; i < 3 && status == ALGSURF_OK; i++) copy[i] = colour ? colour[i] : 0;
     return status;
 }
 
-algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
+static algsurf_status set_background(algsurf_scene *scene, const double colour[3]) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = copy_colour(colour, scene->background);
     if (status == ALGSURF_OK) scene->transparent = !colour;
     return status;
 }
 
-algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]) {
+ALGSURF_I_PUBLIC(algsurf_status, scene_set_background, set_background,
+                 (algsurf_scene * scene, const double colour[3]), (scene, colour))
+
+static algsurf_status set_thin(algsurf_scene *scene, const double colour[3]) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = copy_colour(colour, scene->thin_colour);
     if (status == ALGSURF_OK) scene->thin = colour != NULL;
     return status;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, scene_set_thin, set_thin, (algsurf_scene * scene, const double colour[3]),
+                 (scene, colour))
 
 algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality) {
     if (!scene || (quality != ALGSURF_QUALITY_PREVIEW && quality != ALGSURF_QUALITY_STANDARD &&
@@ -134,25 +137,19 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
     return ALGSURF_OK;
 }
 
-static ALGSURF_NOINLINE int is_share(double x) { return x >= 0 && x <= 1; }
-
-algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold) {
-    if (!scene) return ALGSURF_E_ARGUMENT;
-    int allowed;
-    ALGSURF_STANDARD(allowed = is_share(threshold));
-    if (!allowed) return ALGSURF_E_ARGUMENT;
+static algsurf_status set_antialias_threshold(algsurf_scene *scene, double threshold) {
+    if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
     scene->antialias_threshold = threshold;
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
+SETTER(antialias_threshold, double)
+
+static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
     if (status == ALGSURF_OK && (o.observer || o.planes || o.plane_count)) status = ALGSURF_E_ARGUMENT;
-    algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
     o.planes = scene->intersect.planes;
     o.plane_count = scene->intersect.plane_count;
@@ -160,16 +157,20 @@ algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_i
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
+SETTER(intersect, const algsurf_intersect_options *)
+
+static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = algsurf_i_planes_check(planes, count));
+    algsurf_status status = algsurf_i_planes_check(planes, count);
     if (status != ALGSURF_OK) return status;
     for (size_t i = 0; i < count; i++) scene->planes[i] = planes[i];
     scene->intersect.planes = scene->planes;
     scene->intersect.plane_count = count;
     return ALGSURF_OK;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, scene_set_clip, set_clip,
+                 (algsurf_scene * scene, const algsurf_plane *planes, size_t count), (scene, planes, count))
 
 /* The checks are those of the function that will get it, made on a ray without points. */
 algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
@@ -241,15 +242,17 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
     if (scene->light_count < 0) default_light(&scene->camera, lighting->centre, lighting->radius, lights);
 }
 
-algsurf_status algsurf_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
-                                      algsurf_lighting *lighting) {
+static algsurf_status give_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                                    algsurf_lighting *lighting) {
     algsurf_lighting ours;
     if (!scene || !lights || !lighting || !algsurf_options_fit(lighting, sizeof ours))
         return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
     algsurf_i_scene_lighting(scene, lights, &ours);
     algsurf_options_write(lighting, &ours, sizeof ours);
-    algsurf_fpenv_leave(&saved);
     return ALGSURF_OK;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, scene_lighting, give_lighting,
+                 (const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                  algsurf_lighting *lighting),
+                 (scene, lights, lighting))

@@ -1,4 +1,4 @@
-/* scene_impl.h - what a scene holds, for render. */
+/* scene_impl.h - what a scene holds, for render; rays of its camera. */
 #ifndef ALGSURF_SCENE_IMPL_H
 #define ALGSURF_SCENE_IMPL_H
 #include "algsurf/render.h"
@@ -31,5 +31,14 @@ void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *
 /* algsurf_scene_lighting for checked arguments, in the standard floating-point environment. */
 void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                               algsurf_lighting *lighting);
+
+/* OK; E_ARGUMENT (null, axes not orthonormal to 1e-9, half height not positive, orthographic not 0 or
+ * 1) or E_NOT_FINITE. */
+algsurf_status algsurf_i_camera_check(const algsurf_camera *camera);
+
+/* algsurf_camera_ray for checked arguments, in the standard floating-point environment; the ray is
+ * not finite when the picture reaches beyond the range of double. */
+void algsurf_i_camera_ray(const algsurf_camera *camera, int width, int height, double x, double y,
+                          algsurf_ray *ray);
 
 #endif

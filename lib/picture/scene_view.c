@@ -1,5 +1,5 @@
-/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved side
- * by side.
+/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved
+ * side by side.
  *
  * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
  * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
@@ -24,11 +24,8 @@
 
 #include "../base/elementary.h"
 #include "../rays/expand_impl.h"
-#include "../rays/own_ball.h"
-#include "../rays/planes.h"
-#include "complex_rows.h"
+#include "../rays/region.h"
 #include "impl.h"
-#include "geometry.h"
 #include "../base/vec.h"
 
 /* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */
@@ -64,7 +61,7 @@ static double noise_of(const algsurf_i_geometry *p, const double eye[3], const d
     if (!p->orthographic)
         return ALGSURF_U * ((4 + 24 * slopes) * (distance + 1) + offset * (8 + 16 / distance));
     return ALGSURF_U *
-           (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2 * p->per_slope * slopes + 2));
+           (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2 * p->rays.du * slopes + 2));
 }
 
 #define WHOLE 1.5 /* of the surface's size: see size_of_space */
@@ -78,14 +75,13 @@ static void place_eye(algsurf_i_geometry *p, const algsurf_i_picture *picture, c
     for (int i = 0; i < 3; i++) away[i] = algsurf_two_sum(eye[i], -view->centre[i]);
     double missed = in_axes(view, away, place) / view->size;
     for (int k = 0; k < 3; k++) place[k] /= view->size;
-    p->near = place[2];
-    for (int k = 0; k < 2; k++) {
-        p->origin[k] = place[k];
-        p->per_slope = p->orthographic ? ldexp(1, -picture->scene->surface->unit) / view->size : -place[2];
-        view->beta[k] = p->orthographic ? 0 : place[k] / place[2];
-    }
+    p->rays.near = place[2];
+    p->rays.u0 = place[0];
+    p->v0 = place[1];
+    p->rays.du = p->orthographic ? ldexp(1, -picture->scene->surface->unit) / view->size : -place[2];
+    for (int k = 0; k < 2; k++) view->beta[k] = p->orthographic ? 0 : place[k] / place[2];
     view->alpha = p->orthographic ? 0 : -1 / place[2];
-    p->pixel = pixel;
+    p->rays.pixel = pixel;
     view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
 }
 
@@ -129,11 +125,11 @@ static int degree_along(const algsurf_surface *s, const algsurf_camera *camera) 
  * component, which points of size 4 or less take along, and their sum with it: 2^-46 in all. */
 static int place_planes(const algsurf_scene *scene, algsurf_i_geometry *p) {
     const algsurf_i_view *view = &p->frame.view;
-    p->plane_count = 0;
+    int count = 0;
     for (size_t i = 0; i < scene->intersect.plane_count; i++) {
         const algsurf_plane plane =
             algsurf_i_plane_in_unit(scene->intersect.planes + i, scene->surface->unit);
-        algsurf_i_cut_plane *world = &p->planes[p->plane_count], *in_view = &p->view_planes[p->plane_count];
+        algsurf_i_cut_plane *world = &p->planes[count], *in_view = &p->view_planes[count];
         const double *n = plane.normal, *c = view->centre;
         double unit = algsurf_length(n) * view->size;
         double size = fabs(plane.offset) + (fabs(n[0] * c[0]) + fabs(n[1] * c[1]) + fabs(n[2] * c[2]));
@@ -144,9 +140,22 @@ static int place_planes(const algsurf_scene *scene, algsurf_i_geometry *p) {
         (void)algsurf_unit(n, world->normal);
         *in_view = *world;
         for (int k = 0; k < 3; k++) in_view->normal[k] = algsurf_dot(view->axis[k], world->normal);
-        p->plane_count++;
+        count++;
     }
+    p->rays.planes = p->view_planes;
+    p->rays.plane_count = count;
     return 1;
+}
+
+/* What kernels need to know of complex space; 0: the sector is not one for them. */
+static int place_complex_space(const algsurf_scene *scene, algsurf_i_geometry *p) {
+    const algsurf_surface *s = scene->surface;
+    p->top = s->degree;
+    while (p->top >= 0 && scene->space.imaginary[p->top] == 0) p->top--;
+    for (int k = 0; k <= p->top; k++)
+        p->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
+    p->frame.view.noise *= 4; /* complex_pixels_template.h */
+    return algsurf_i_sector_edges_of(&scene->space.sector, &p->sector);
 }
 
 int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *p) {
@@ -168,19 +177,20 @@ int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry
         view->axis[2][i] = camera->forward[i];
     }
     view->size = endless ? size_of_space(picture, eye) : ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
-    p->degree = degree_along(scene->surface, camera);
+    p->rays = (algsurf_i_row_job){.view = view,
+                                  .offset = -0.5 * picture->width,
+                                  .extent = &scene->extent,
+                                  .degree = degree_along(scene->surface, camera),
+                                  .thin_bends = p->thin_bends};
     p->orthographic = camera->orthographic;
+    p->taylor = (algsurf_i_taylor){.usable = 0};
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
-        p->extent_size[i] = endless ? 1 : ldexp(extent->size[i], -scene->surface->unit) / view->size;
+        p->rays.extent_size[i] = endless ? 1 : ldexp(extent->size[i], -scene->surface->unit) / view->size;
+    if (scene->complex && !place_complex_space(scene, p)) return 0;
     /* a depth of 1 is at most this much of t */
-    p->top = -1;
-    if (scene->complex) {
-        if (!algsurf_i_sector_edges_of(&scene->space.sector, &p->sector)) return 0;
-        algsurf_i_complex_prepare(scene, p);
-    }
-    p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
+    p->rays.tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
     return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
-           fabs(p->near) > 0x1p-10 && !(endless && p->near > 0.5) &&
+           fabs(p->rays.near) > 0x1p-10 && !(endless && p->rays.near > 0.5) &&
            view->noise * scene->surface->degree < 0x1p-22;
 }

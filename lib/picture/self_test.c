@@ -76,6 +76,7 @@ static void make_rays(problem *p) {
     }
 }
 
+/* Tangle, lit by a square. */
 static algsurf_status make_scene(problem *p) {
     static const algsurf_term terms[] = {{4, 0, 0, 1},  {0, 4, 0, 1},  {0, 0, 4, 1},   {2, 0, 0, -5},
                                          {0, 2, 0, -5}, {0, 0, 2, -5}, {0, 0, 0, 11.8}};
@@ -90,17 +91,6 @@ static algsurf_status make_scene(problem *p) {
     if (status == ALGSURF_OK) status = algsurf_scene_set_camera(p->scene, &camera);
     if (status == ALGSURF_OK) status = algsurf_scene_set_lights(p->scene, &light, 1);
     return status;
-}
-
-static ALGSURF_NOINLINE algsurf_status make_problem(problem *p) {
-    make_polynomials(p);
-    make_rays(p);
-    return make_scene(p);
-}
-
-static void free_problem(problem *p) {
-    algsurf_scene_free(p->scene);
-    algsurf_surface_free(p->surface);
 }
 
 /* ---- its answers, by a kernel ---- */
@@ -231,7 +221,7 @@ static int same_ray(const problem *p, int i, const answers *a) {
 
 /* ---- all of it ---- */
 
-static ALGSURF_NOINLINE int all_round(void) {
+static int all_round(void) {
     const algsurf_i_kernel *kernel;
     int sound = algsurf_i_rounds(&algsurf_i_operations_plain);
     for (int i = 0; (kernel = algsurf_i_kernel_at(i)); i++)
@@ -239,10 +229,9 @@ static ALGSURF_NOINLINE int all_round(void) {
     return sound;
 }
 
-static ALGSURF_NOINLINE algsurf_status all_agree(const problem *p) {
-    answers *plain = malloc(2 * sizeof *plain), *other = plain ? plain + 1 : NULL;
+/* plain, other: room for answers. */
+static algsurf_status all_agree(const problem *p, answers *plain, answers *other) {
     const algsurf_i_kernel *kernel;
-    if (!plain) return ALGSURF_E_NO_MEMORY;
     algsurf_status status = answer(p, "baseline", plain);
     int same = 1;
     for (int i = 0; status == ALGSURF_OK && (kernel = algsurf_i_kernel_at(i)); i++) {
@@ -250,17 +239,21 @@ static ALGSURF_NOINLINE algsurf_status all_agree(const problem *p) {
         same = same && memcmp(plain, other, sizeof *plain) == 0;
     }
     for (int i = 0; same && i < COUNT; i++) same = same_roots(p, i, plain) && same_ray(p, i, plain);
-    free(plain);
     return status != ALGSURF_OK || same ? status : ALGSURF_E_BUILD;
 }
 
-algsurf_status algsurf_self_test(void) {
+static algsurf_status self_test(void) {
     problem p = {.surface = NULL, .scene = NULL};
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = all_round() ? make_problem(&p) : ALGSURF_E_BUILD;
-    if (status == ALGSURF_OK) status = all_agree(&p);
-    free_problem(&p);
-    algsurf_fpenv_leave(&saved);
+    if (!all_round()) return ALGSURF_E_BUILD;
+    answers *room = malloc(2 * sizeof *room);
+    make_polynomials(&p);
+    make_rays(&p);
+    algsurf_status status = room ? make_scene(&p) : ALGSURF_E_NO_MEMORY;
+    if (status == ALGSURF_OK) status = all_agree(&p, room, room + 1);
+    free(room);
+    algsurf_scene_free(p.scene);
+    algsurf_surface_free(p.surface);
     return status;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, self_test, self_test, (void), ())

@@ -1,6 +1,6 @@
 /* shade.c - what is lit, from where and how: checks, and what kernels need to know of it. */
 #include "../base/arithmetic.h"
-#include "shade_impl.h"
+#include "colours.h"
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
@@ -41,7 +41,7 @@ static int samples_are_good(int u, int v) {
            (u >= 1 && u <= ALGSURF_MAX_LIGHT_SAMPLES && v >= 1 && v <= ALGSURF_MAX_LIGHT_SAMPLES);
 }
 
-algsurf_status algsurf_i_light_check(const algsurf_light *light) {
+static algsurf_status check_light(const algsurf_light *light) {
     if (!light || !samples_are_good(light->samples_u, light->samples_v)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(light->position) || !algsurf_is_finite3(light->edge_u) ||
         !algsurf_is_finite3(light->edge_v))
@@ -49,16 +49,16 @@ algsurf_status algsurf_i_light_check(const algsurf_light *light) {
     return check_range(light->colour, 3, BRIGHTEST);
 }
 
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count) {
+    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = ALGSURF_OK;
+    for (int l = 0; status == ALGSURF_OK && l < count; l++) status = check_light(&lights[l]);
+    return status;
+}
+
 void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]) {
     place[0] = light->samples_u > 1 ? (double)a / (light->samples_u - 1) - 0.5 : 0;
     place[1] = light->samples_v > 1 ? (double)b / (light->samples_v - 1) - 0.5 : 0;
-}
-
-void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    double place[2];
-    algsurf_i_light_place(light, a, b, place);
-    for (int i = 0; i < 3; i++)
-        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
 }
 
 /* What the shade of a base colour has more of than the colour itself: of what is more in it than on the
@@ -113,32 +113,20 @@ void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position
 
 /* ---- the public functions ---- */
 
-static ALGSURF_NOINLINE algsurf_status checked_sample(const algsurf_light *light, int a, int b,
-                                                      double position[3]) {
-    algsurf_status status = algsurf_i_light_check(light);
+static algsurf_status sample(const algsurf_light *light, int a, int b, double position[3]) {
+    double place[2];
+    algsurf_status status = check_light(light);
     if (status != ALGSURF_OK) return status;
     if (!position || a < 0 || b < 0 || a >= light->samples_u || b >= light->samples_v)
         return ALGSURF_E_ARGUMENT;
-    algsurf_i_light_sample(light, a, b, position);
+    algsurf_i_light_place(light, a, b, place);
+    for (int i = 0; i < 3; i++)
+        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = checked_sample(light, a, b, position));
-    return status;
-}
-
-static algsurf_status check_lights(const algsurf_lighting *lighting) {
-    int count = lighting->light_count;
-    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lighting->lights))
-        return ALGSURF_E_ARGUMENT;
-    for (int l = 0; l < count; l++) {
-        algsurf_status status = algsurf_i_light_check(&lighting->lights[l]);
-        if (status != ALGSURF_OK) return status;
-    }
-    return ALGSURF_OK;
-}
+ALGSURF_I_PUBLIC(algsurf_status, light_sample, sample,
+                 (const algsurf_light *light, int a, int b, double position[3]), (light, a, b, position))
 
 static int is_unit(const double v[3]) { return fabs(algsurf_dot(v, v) - 1) <= UNIT_SLACK; }
 
@@ -147,7 +135,7 @@ static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_light
                                     algsurf_material *material) {
     if (!given || !algsurf_options_read(known, sizeof *known, given)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_material_read(known->material, material);
-    if (status == ALGSURF_OK) status = check_lights(known);
+    if (status == ALGSURF_OK) status = algsurf_i_lights_check(known->lights, known->light_count);
     if (status != ALGSURF_OK) return status;
     known->material = material;
     if (!algsurf_is_finite3(known->up) || !algsurf_is_finite3(known->forward) ||
@@ -157,54 +145,47 @@ static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_light
                                                                               : ALGSURF_E_ARGUMENT;
 }
 
-/* A point, and how it is looked at. */
-typedef struct sight {
-    const double *point, *normal, *direction;
-} sight;
-
-/* By the code of pictures. */
-static void shade(const algsurf_i_colour_job *job, const sight *s, const double *visible, double colour[3]) {
-    float look[3][3], shown[3];
-    const algsurf_i_looks looks = {{&look[0][0], &look[0][1], &look[0][2]},
-                                   {&look[1][0], &look[1][1], &look[1][2]},
-                                   {&look[2][0], &look[2][1], &look[2][2]}};
-    algsurf_i_set_look(&job->frame, s->point, s->normal, s->direction, 0, &looks);
+/* A point, by the code of pictures. */
+static void find_colour(const algsurf_i_colour_job *job, const double point[3], const double normal[3],
+                        const double direction[3], const double *visible, double colour[3]) {
+    float place[3], facing[3], along[3], shown[3];
+    const algsurf_i_looks looks = {
+        {place, place + 1, place + 2}, {facing, facing + 1, facing + 2}, {along, along + 1, along + 2}};
+    algsurf_i_set_look(&job->frame, point, normal, direction, 0, &looks);
     algsurf_i_colour_baseline.colours(job, &looks, 1, visible, shown, NULL);
     for (int k = 0; k < 3; k++) colour[k] = shown[k];
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_lighting *given, int preview,
-                                                     const sight *s, const double *visible,
-                                                     double colour[3]) {
+static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int preview,
+                                             const double *visible, const double point[3],
+                                             const double normal[3], const double direction[3],
+                                             double colour[3]) {
     algsurf_lighting lighting;
     algsurf_material material;
     algsurf_i_colour_job job;
-    if (!s->point || !s->normal || !s->direction || !colour) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(s->point) || !algsurf_is_finite3(s->normal) || !algsurf_is_finite3(s->direction))
+    if (!point || !normal || !direction || !colour) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(point) || !algsurf_is_finite3(normal) || !algsurf_is_finite3(direction))
         return ALGSURF_E_NOT_FINITE;
-    if (!is_unit(s->direction) || (algsurf_max_abs(s->normal) > 0 && !is_unit(s->normal)))
-        return ALGSURF_E_ARGUMENT;
+    if (!is_unit(direction) || (algsurf_max_abs(normal) > 0 && !is_unit(normal))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_lighting(given, &lighting, &material);
     if (status != ALGSURF_OK) return status;
     for (int l = 0; visible && l <= lighting.light_count; l++)
         if (!(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
     algsurf_i_colour_prepare(&lighting, preview, &job);
-    shade(&job, s, visible, colour);
+    find_colour(&job, point, normal, direction, visible, colour);
     return ALGSURF_OK;
 }
 
 algsurf_status algsurf_shade(const algsurf_lighting *lighting, const double *visible, const double point[3],
                              const double normal[3], const double direction[3], double colour[3]) {
-    const sight s = {point, normal, direction};
     algsurf_status status;
-    ALGSURF_STANDARD(status = checked_shade(lighting, 0, &s, visible, colour));
+    ALGSURF_STANDARD(status = shade(lighting, 0, visible, point, normal, direction, colour));
     return status;
 }
 
 algsurf_status algsurf_shade_preview(const algsurf_lighting *lighting, const double point[3],
                                      const double normal[3], const double direction[3], double colour[3]) {
-    const sight s = {point, normal, direction};
     algsurf_status status;
-    ALGSURF_STANDARD(status = checked_shade(lighting, 1, &s, NULL, colour));
+    ALGSURF_STANDARD(status = shade(lighting, 1, NULL, point, normal, direction, colour));
     return status;
 }

@@ -29,18 +29,23 @@ static const uint16_t first_step[255] = {
     3518, 3552, 3586, 3620, 3654, 3688, 3722, 3757, 3792, 3827, 3862, 3897, 3933, 3969, 4005, 4041, 4077,
 };
 
+/* The byte of a step, which is `byte` or more. */
+static int byte_of_step(int step, int byte) {
+    while (byte < 255 && first_step[byte] <= step) byte++;
+    return byte;
+}
+
 void algsurf_i_srgb_curve(uint8_t curve[SRGB_STEPS]) {
     int byte = 0;
     for (int step = 0; step < SRGB_STEPS; step++) {
-        while (byte < 255 && first_step[byte] <= step) byte++;
+        byte = byte_of_step(step, byte);
         curve[step] = (uint8_t)byte;
     }
 }
 
 static uint8_t byte_of(double light) {
-    int step = algsurf_i_srgb_step(light < 0 ? 0 : light > 1 ? 1 : (float)light), byte = 0;
-    while (byte < 255 && first_step[byte] <= step) byte++;
-    return (uint8_t)byte;
+    float within = light < 0 ? 0 : light > 1 ? 1 : (float)light;
+    return (uint8_t)byte_of_step(algsurf_i_srgb_step(within), 0);
 }
 
 static double light_of(unsigned char byte) {
@@ -48,25 +53,21 @@ static double light_of(unsigned char byte) {
     return shown <= 0.04045 ? shown / 12.92 : algsurf_i_pow((shown + 0.055) / 1.055, 2.4);
 }
 
-static ALGSURF_NOINLINE algsurf_status encode(const double colour[3], unsigned char bytes[3]) {
+static algsurf_status encode(const double colour[3], unsigned char bytes[3]) {
+    if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(colour)) return ALGSURF_E_NOT_FINITE;
     for (int k = 0; k < 3; k++) bytes[k] = byte_of(colour[k]);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_srgb_encode(const double colour[3], unsigned char bytes[3]) {
+ALGSURF_I_PUBLIC(algsurf_status, srgb_encode, encode, (const double colour[3], unsigned char bytes[3]),
+                 (colour, bytes))
+
+static algsurf_status decode(const unsigned char bytes[3], double colour[3]) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = encode(colour, bytes));
-    return status;
-}
-
-static ALGSURF_NOINLINE void decode(const unsigned char bytes[3], double colour[3]) {
     for (int k = 0; k < 3; k++) colour[k] = light_of(bytes[k]);
-}
-
-algsurf_status algsurf_srgb_decode(const unsigned char bytes[3], double colour[3]) {
-    if (!bytes || !colour) return ALGSURF_E_ARGUMENT;
-    ALGSURF_STANDARD(decode(bytes, colour));
     return ALGSURF_OK;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, srgb_decode, decode, (const unsigned char bytes[3], double colour[3]),
+                 (bytes, colour))

@@ -3,10 +3,8 @@
 #include <math.h>
 
 #include "../base/vec.h"
-#include "camera_impl.h"
 #include "impl.h"
 #include "srgb.h"
-#include "thin.h"
 
 /* Of depth along the ray, for a t of 1. */
 static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *ray) {
@@ -16,8 +14,7 @@ static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *r
 }
 
 /* Sample x shows what is thin instead of what it shows. */
-static void show(const algsurf_i_picture *picture, int x, double t, const algsurf_ray *ray,
-                 algsurf_i_line *line, int point) {
+static void show(const algsurf_i_picture *picture, int x, double t, algsurf_i_line *line, int point) {
     int i = point >= 0 ? point : line->count++;
     line->pixel[i] = x;
     line->state[x] = ALGSURF_THIN;
@@ -26,9 +23,7 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     for (int k = 0; k < 3; k++) {
         double light = picture->scene->thin_colour[k];
         line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture->curve, light) << 8 * k;
-        line->points.position[k][i] = ray->origin[k] + t * ray->direction[k];
         line->points.normal[k][i] = 0;
-        line->points.direction[k][i] = ray->direction[k];
         line->colour[3 * i + k] = (float)light;
     }
 }
@@ -53,8 +48,9 @@ static void look_in(const algsurf_i_frame_form *frame, const double d[3], double
 void algsurf_i_prepare_thin(algsurf_i_geometry *p, int across) {
     const int n = p->frame.degree;
     double most[ALGSURF_MAX_VIEW_DEGREE + 1] = {0};
-    p->thin_side = fabs(p->per_slope) * p->pixel / across;
-    double pixel = p->thin_side * (1 + fabs(p->frame.view.alpha));
+    p->rays.thin_side = fabs(p->rays.du) * p->rays.pixel / across;
+    p->rays.thin_before = 4 * p->rays.thin_side;
+    double pixel = p->rays.thin_side * (1 + fabs(p->frame.view.alpha));
     for (int i = 0; i < n * n; i++) {
         const double a = (2 * (i % n) + 1.0) / n - 1, b = (2 * (i / n) + 1.0) / n - 1;
         look_in(&p->frame, (const double[]){1, a, b}, most);
@@ -70,10 +66,9 @@ static int point_of(const algsurf_i_line *line, int x) {
     return i;
 }
 
-void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
-                        algsurf_i_worker *worker, algsurf_i_tally *tally) {
+void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy) {
+    const algsurf_i_picture *picture = worker->picture;
     const algsurf_scene *scene = picture->scene;
-    const algsurf_i_geometry *p = picture->geometry;
     algsurf_i_line *line = &worker->line;
     algsurf_i_dips *dips = &worker->tiling.dips;
     const double *depth = worker->tiling.thin;
@@ -90,8 +85,8 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
         double per_t = depth_per_t(picture, &ray);
         int point = point_of(line, x);
-        if (is_hit && depth[i] > p->near + line->points.t[point] * per_t - job.thin_before) continue;
-        show(picture, x, (depth[i] - p->near) / per_t, &ray, line, point);
-        tally->thin++;
+        if (is_hit && depth[i] > job.near + line->points.t[point] * per_t - job.thin_before) continue;
+        show(picture, x, (depth[i] - job.near) / per_t, line, point);
+        worker->tally->stats.thin++;
     }
 }

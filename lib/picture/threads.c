@@ -8,12 +8,15 @@
  * late, but a helper that leaves ends the wait.  Who draws a row changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#define _DARWIN_C_SOURCE        /* POSIX alone hides _SC_NPROCESSORS_ONLN there */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "complex_rows.h"
 
 #include <stdlib.h>
 #include <time.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
 
 #include "../base/fpenv.h"
 #include "../base/threads.h"
@@ -44,31 +47,33 @@ static void stop_pool(thread_pool *pool, algsurf_status why) {
     atomic_store_explicit(&pool->picture->stop, 1, memory_order_relaxed);
 }
 
-static int stopped(const thread_pool *pool) {
-    return atomic_load_explicit(&pool->picture->stop, memory_order_relaxed);
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
+#define ADD(member) total->stats.member += more->stats.member
+    ADD(rays), ADD(hits), ADD(undecided), ADD(thin), ADD(iterations);
+    ADD(shadow_rays), ADD(single_rays), ADD(exact_rays), ADD(empty_rays), ADD(sheet_rays);
+    ADD(tiles), ADD(empty_tiles), ADD(sheet_tiles), ADD(leaf_tiles);
+    ADD(expand_s), ADD(solve_s), ADD(point_s), ADD(shadow_s), ADD(shade_s);
+#undef ADD
+    total->without_memory += more->without_memory;
 }
 
-void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
-    total->rays += more->rays;
-    total->hits += more->hits;
-    total->undecided += more->undecided;
-    total->shadow_rays += more->shadow_rays;
-    total->iterations += more->iterations;
-    total->single_rays += more->single_rays;
-    total->empty_rays += more->empty_rays;
-    total->sheet_rays += more->sheet_rays;
-    total->exact_rays += more->exact_rays;
-    total->tiles.all += more->tiles.all;
-    total->tiles.empty += more->tiles.empty;
-    total->tiles.sheets += more->tiles.sheets;
-    total->tiles.leaves += more->tiles.leaves;
-    total->thin += more->thin;
-    total->without_memory += more->without_memory;
-    total->expand_s += more->expand_s;
-    total->solve_s += more->solve_s;
-    total->point_s += more->point_s;
-    total->shadow_s += more->shadow_s;
-    total->shade_s += more->shade_s;
+/* Less than 1 if the system fails to tell. */
+static long processors(void) {
+#if defined(_WIN32)
+    return pthread_num_processors_np();
+#elif defined(_SC_NPROCESSORS_ONLN)
+    return sysconf(_SC_NPROCESSORS_ONLN);
+#else
+    return 1;
+#endif
+}
+
+int algsurf_i_thread_count(const algsurf_render_options *options) {
+    long threads = options->threads > 0 ? options->threads : processors();
+    int rows = options->row_end - options->row_begin;
+    if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
+    if (threads > rows) threads = rows;
+    return threads < 1 ? 1 : (int)threads;
 }
 
 static int batch_of(const algsurf_i_picture *picture) {
@@ -81,7 +86,7 @@ static int batch_of(const algsurf_i_picture *picture) {
 /* Gives the worker rows when it has none left; returns 0 when there are none to give. */
 static int take_rows(thread_pool *pool, algsurf_i_worker *worker) {
     const algsurf_i_picture *picture = pool->picture;
-    if (stopped(pool)) return 0;
+    if (algsurf_i_stopped(picture)) return 0;
     if (worker->row < worker->row_end) return 1;
     int batch = batch_of(picture);
     int first = atomic_fetch_add_explicit(&pool->next_row, batch, memory_order_relaxed);
@@ -94,13 +99,9 @@ static int take_rows(thread_pool *pool, algsurf_i_worker *worker) {
 
 /* Draws the worker's next row; returns 0 when there was none left to take. */
 static int draw_next(thread_pool *pool, algsurf_i_worker *worker) {
-    algsurf_i_tally tally = {0};
-    algsurf_fpenv saved;
+    algsurf_status status;
     if (!take_rows(pool, worker)) return 0;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_render_row(pool->picture, worker->row++, worker, &tally);
-    algsurf_fpenv_leave(&saved);
-    algsurf_i_tally_add(&worker->tally, &tally);
+    ALGSURF_STANDARD(status = algsurf_i_render_row(worker, worker->row++));
     if (status == ALGSURF_OK)
         atomic_fetch_add_explicit(&pool->rows_done, 1, memory_order_relaxed);
     else
@@ -122,7 +123,7 @@ static void *help(void *data) {
 
 static void report(thread_pool *pool) {
     const algsurf_render_options *o = pool->options;
-    if (!o->progress || stopped(pool)) return;
+    if (!o->progress || algsurf_i_stopped(pool->picture)) return;
     int done = atomic_load_explicit(&pool->rows_done, memory_order_relaxed);
     int total = pool->picture->row_end - pool->picture->row_begin;
     if (o->progress(done, total, o->progress_data) != 0) stop_pool(pool, ALGSURF_CANCELLED);
@@ -151,29 +152,24 @@ static int init_sync(thread_pool *pool) {
     return 0;
 }
 
-/* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many. */
+/* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many.  None leaves before
+ * all are counted. */
 static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf_i_worker *workers) {
     int started = 0;
+    pthread_mutex_lock(&pool->lock);
     for (; started < wanted; started++) {
         helper *next = &helpers[started];
         next->pool = pool;
         next->worker = &workers[started];
-        pthread_mutex_lock(&pool->lock);
-        pool->helpers_at_work++;
-        pthread_mutex_unlock(&pool->lock);
         if (pthread_create(&next->thread, NULL, help, next) != 0) break;
     }
-    if (started < wanted) {
-        pthread_mutex_lock(&pool->lock);
-        pool->helpers_at_work--;
-        pthread_mutex_unlock(&pool->lock);
-    }
+    pool->helpers_at_work = started;
+    pthread_mutex_unlock(&pool->lock);
     return started;
 }
 
 algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
-                                        int *threads_used) {
+                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total) {
     thread_pool pool = {.picture = picture, .options = options};
     atomic_init(&pool.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
     atomic_init(&pool.rows_done, 0);
@@ -182,6 +178,10 @@ algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsur
     if (!init_sync(&pool)) {
         free(helpers);
         return ALGSURF_E_THREAD;
+    }
+    for (int i = 0; i < threads; i++) {
+        workers[i].picture = picture;
+        workers[i].tally = &workers[i].all;
     }
     int started = start_helpers(&pool, helpers, threads - 1, workers + 1);
     while (draw_next(&pool, workers)) report(&pool);
@@ -192,7 +192,7 @@ algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsur
     if (started > 0) report(&pool);
     (void)pthread_mutex_destroy(&pool.lock);
     (void)pthread_cond_destroy(&pool.left);
-    for (int i = 0; i <= started; i++) algsurf_i_tally_add(total, &workers[i].tally);
-    *threads_used = started + 1;
+    for (int i = 0; i <= started; i++) algsurf_i_tally_add(total, &workers[i].all);
+    total->stats.threads = started + 1;
     return pool.status;
 }

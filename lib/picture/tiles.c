@@ -10,7 +10,6 @@
  * over pixels.  Pixels alone are as fast at FEW and faster beyond. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "tiling.h"
 
 #include <math.h>
 
@@ -29,13 +28,9 @@ typedef struct tile_list {
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *p) {
     const algsurf_scene *scene = picture->scene;
     int n = scene->surface->degree, samples = picture->selective ? 1 : scene->antialias;
-    double side = fabs(p->per_slope) * p->pixel / samples;
+    double side = fabs(p->rays.du) * p->rays.pixel / samples;
     return !scene->complex && n <= ALGSURF_MAX_BEAM_DEGREE &&
            side * n * n <= (picture->thin || scene->extent.kind == ALGSURF_EXTENT_ALL ? FEW_MORE : FEW);
-}
-
-static int stride_of(const algsurf_i_picture *picture) {
-    return (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
 }
 
 /* The lists of a level, in their part of the memory. */
@@ -81,8 +76,8 @@ static void set_empty(const algsurf_i_tile_job *job, const tile_list *list) {
 static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, tile_list *list,
                         algsurf_i_tile_job *job) {
     const algsurf_i_geometry *p = picture->geometry;
-    double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
-    double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
+    double half = 0.5 * job->size, h = -p->rays.du * (half * p->rays.pixel);
+    double v = p->v0 + p->rays.du * ((0.5 * picture->height - (job->y + half)) * p->rays.pixel);
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
                               fabs(h) + ALGSURF_I_WIDER, t->square, &t->beam);
     set_empty(job, list);
@@ -93,22 +88,22 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     list->count = job->count;
 }
 
-static algsurf_i_tile_counts count_tiles(const algsurf_i_tile_job *job, uint64_t all, uint64_t quartered) {
-    algsurf_i_tile_counts counts = {.all = all, .empty = all - quartered - (uint64_t)job->tile_count};
-    for (int i = 0; i < job->tile_count; i++) counts.sheets += job->tiles[i].enough > 0;
-    counts.leaves = (uint64_t)job->tile_count - counts.sheets;
-    return counts;
+static void count_tiles(const algsurf_i_tile_job *job, uint64_t all, uint64_t quartered,
+                        algsurf_render_stats *counts) {
+    counts->tiles = all;
+    counts->empty_tiles = all - quartered - (uint64_t)job->tile_count;
+    for (int i = 0; i < job->tile_count; i++) counts->sheet_tiles += job->tiles[i].enough > 0;
+    counts->leaf_tiles = (uint64_t)job->tile_count - counts->sheet_tiles;
 }
 
 static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
-    const algsurf_i_row_job rays = algsurf_i_any_row(picture);
-    const int places = stride_of(picture) * LEVELS_ROWS;
+    const int places = algsurf_i_cells_across(picture) * LEVELS_ROWS;
     for (int i = 0; i < places; i++) band->cell[i] = -ALGSURF_I_TILES;
-    algsurf_i_tile_job job = {.row = &rays,
+    algsurf_i_tile_job job = {.row = &picture->geometry->rays,
                               .beam = &t->beam,
                               .noise = picture->geometry->frame.value_error,
                               .cell = band->cell,
-                              .stride = stride_of(picture),
+                              .stride = algsurf_i_cells_across(picture),
                               .from_y = band->number * ALGSURF_I_TILES,
                               .tiles = band->tiles};
     tile_list lists[2][LEVELS_ROWS];
@@ -130,31 +125,27 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
             if (job.size > ALGSURF_I_LEAF) quartered += (uint64_t)list[r].count;
         }
     }
-    band->counts = count_tiles(&job, all, quartered);
+    count_tiles(&job, all, quartered, &band->counts.stats);
 }
 
-const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, int all,
-                                        algsurf_i_tiling *tiling) {
-    int number = row / ALGSURF_I_TILES;
-    algsurf_i_band *band = &tiling->band[number % 2];
+const algsurf_i_band *algsurf_i_band_of(algsurf_i_worker *worker, int row) {
+    const algsurf_i_picture *picture = worker->picture;
+    int number = row / ALGSURF_I_TILES, top = number * ALGSURF_I_TILES;
+    algsurf_i_band *band = &worker->tiling.band[number % 2];
+    if (!picture->tiled) return NULL;
     if (band->number != number) {
         band->number = number;
-        band->whole =
-            algsurf_i_pixels_within_bounds(picture, number * ALGSURF_I_TILES, (number + 1) * ALGSURF_I_TILES,
-                                           ALGSURF_I_TILES, &band->begin, &band->end);
-        band->counts = (algsurf_i_tile_counts){0};
-        band->searched = 0;
+        band->whole = algsurf_i_pixels_within_bounds(picture, top, top + ALGSURF_I_TILES, ALGSURF_I_TILES,
+                                                     &band->begin, &band->end);
+        band->counts = (algsurf_i_tally){.without_memory = 0};
+        if (band->whole) search_band(picture, &worker->tiling, band);
     }
-    if (all ? !band->whole : band->begin >= band->end) return NULL;
-    if (!band->searched) search_band(picture, tiling, band);
-    band->searched = 1;
-    return band;
+    return band->whole ? band : NULL;
 }
 
-void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
-                           algsurf_i_tally *tally) {
+void algsurf_i_count_tiles(algsurf_i_worker *worker, int row) {
     int number = row / ALGSURF_I_TILES;
-    const algsurf_i_band *band = &tiling->band[number % 2];
-    if (row % ALGSURF_I_TILES != 0 && row != picture->row_begin) return;
-    if (band->number == number) algsurf_i_tally_add(tally, &(algsurf_i_tally){.tiles = band->counts});
+    const algsurf_i_band *band = &worker->tiling.band[number % 2];
+    if (row % ALGSURF_I_TILES != 0 && row != worker->picture->row_begin) return;
+    if (band->number == number) algsurf_i_tally_add(worker->tally, &band->counts);
 }

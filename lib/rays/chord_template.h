@@ -45,18 +45,22 @@ INLINE lanes largest_of(const lanes v[3]) {
     return larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
 }
 
-/* Rays that are solved together: side by side in the job's arrays from `at` on, or each at a place of its own
- * there, and then copied. */
+/* Rays that are solved together, and where they are in the job's arrays: side by side, or listed, and then
+ * copied. */
 typedef struct places {
     int count, listed;
-    size_t at, ray[LANES];
+    size_t ray[LANES];
     double copy[8][LANES]; /* origin, direction, t_min, t_max */
 } places;
 
-INLINE size_t place_of(const places *w, int l) { return w->listed ? w->ray[l] : w->at + (size_t)l; }
+INLINE void set_places(places *w, size_t first, size_t count) {
+    w->listed = 0;
+    w->count = count < LANES ? (int)count : LANES;
+    for (int l = 0; l < LANES; l++) w->ray[l] = first + (size_t)l;
+}
 
 INLINE const double *number_of(const double *all, const places *w, int which) {
-    return w->listed ? w->copy[which] : all + w->at;
+    return w->listed ? w->copy[which] : all + w->ray[0];
 }
 
 INLINE lanes load_number(const double *all, const places *w, int which) {
@@ -73,8 +77,8 @@ INLINE mask active_lanes(const unsigned char *active, int count) {
 INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, const places *w, double scale) {
     ray_lanes r;
     for (int i = 0; i < 3; i++) {
-        r.origin[i] = scale * load_number(job->origin[i], w, i);
-        r.direction[i] = load_number(job->direction[i], w, 3 + i);
+        r.origin[i] = scale * load_number(job->rays->origin[i], w, i);
+        r.direction[i] = load_number(job->rays->direction[i], w, 3 + i);
     }
     lanes shrink = scale_of(r.direction);
     for (int i = 0; i < 3; i++) r.direction[i] *= shrink;
@@ -83,10 +87,10 @@ INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, const places *w, doubl
     lanes inverse = (lanes)(0x7fe0000000000000u - (words)r.t_unit);
     mask plain = less(all_lanes(LEAST_UNIT), r.t_unit) & less(r.t_unit, all_lanes(MOST_UNIT));
     plain &= less(largest_of(r.origin), all_lanes(FARTHEST));
-    r.near = job->t_min ? inverse * load_number(job->t_min, w, 6) : all_lanes(0);
-    r.far = job->t_max ? inverse * load_number(job->t_max, w, 7) : all_lanes(HUGE_VAL);
+    r.near = job->rays->t_min ? inverse * load_number(job->rays->t_min, w, 6) : all_lanes(0);
+    r.far = job->rays->t_max ? inverse * load_number(job->rays->t_max, w, 7) : all_lanes(HUGE_VAL);
     r.off = all_lanes(0);
-    r.open = active_lanes(job->active && !w->listed ? job->active + w->at : NULL, w->count);
+    r.open = active_lanes(job->rays->active && !w->listed ? job->rays->active + w->ray[0] : NULL, w->count);
     r.undecided = r.open & ~plain;
     r.open &= plain;
     return r;
@@ -139,7 +143,7 @@ APART mask along_plane(const algsurf_i_rays_job *job, const places *w, const alg
     lanes rises = all_lanes(0);
     for (int l = 0; l < w->count; l++)
         for (int i = 0; i < 3; i++)
-            if (plane->normal[i] != 0 && number_of(job->direction[i], w, 3 + i)[l] != 0) rises[l] = 1;
+            if (plane->normal[i] != 0 && number_of(job->rays->direction[i], w, 3 + i)[l] != 0) rises[l] = 1;
     return at_most(rises, all_lanes(0));
 }
 
@@ -192,9 +196,9 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, const places *w, ray_lanes 
     r->open &= ~less(r->far, r->near - 4 * r->off);
 }
 
-/* The chord's points middle + v half, -1 <= v <= 1. */
+/* The chord's points middle + v half, -1 <= v <= 1, at t_c + v h. */
 typedef struct chord_line {
-    lanes middle[3], half[3];
+    lanes t_c, h, middle[3], half[3];
 } chord_line;
 
 #endif

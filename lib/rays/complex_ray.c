@@ -8,7 +8,7 @@
  * however small they are.
  *
  * Range.  The ends of the chord are rounded, so there are two: one that holds all of the ray's part in the
- * region, and one that is certainly in it (region.c).  A root with a magnitude in the first counts if it is
+ * region, and one that is certainly in it (ray.c).  A root with a magnitude in the first counts if it is
  * in the second, too.  Between them a real root in front of the eye is decided by integers, as in real
  * space (exact_ray.c): those roots of P that are in the root's box are inside the region, or not.  Other
  * roots stay undecided there: their magnitudes are no places of the surface.
@@ -24,20 +24,18 @@
 #include "../complex/impl.h"
 #include "../base/fpenv.h"
 #include "exact_ray.h"
+#include "expand_impl.h"
 #include "intersect_impl.h"
-#include "normal.h"
 #include "../base/options.h"
 #include "../poly/interval_impl.h"
-#include "ray_impl.h"
-#include "region.h"
 #include "../base/vec.h"
 
 typedef struct complex_query {
     const algsurf_surface *surface;
     const algsurf_complex_space *space;
     const algsurf_i_region *region;
-    algsurf_ray front, ray; /* from the eye on, and its chord */
-    algsurf_i_edges edges;
+    algsurf_ray front, ray; /* from the eye on, and on its chord */
+    algsurf_i_chord chord;
     algsurf_i_frame frame;
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
     double r[ALGSURF_MAX_DEGREE + 1];
@@ -167,11 +165,6 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
 
-static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
-    algsurf_i_set_miss(hit);
-    if (root) *root = (algsurf_complex){NAN, NAN};
-}
-
 /* Start values in v from those in t. */
 static const algsurf_complex *start_in_v(const complex_query *q, const algsurf_complex *start,
                                          algsurf_complex *v) {
@@ -193,9 +186,7 @@ static void give_roots(const complex_query *q, const algsurf_complex_root *s, in
 
 /* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
-    algsurf_i_set_miss(hit);
     hit->state = ALGSURF_UNDECIDED;
-    hit->multiplicity = hit->side = 0;
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
     hit->t_hi = q->ray.t_max;
@@ -209,9 +200,8 @@ static int count_inside(const complex_query *q, const algsurf_i_region *region, 
     int count = 0;
     part.t_min = t.lo, part.t_max = t.hi;
     if (!algsurf_i_has_points(t.lo, t.hi)) return 0;
-    algsurf_status status =
-        algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, NULL,
-                              roots, ALGSURF_MAX_DEGREE, &count);
+    algsurf_status status = algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL,
+                                                  ALGSURF_DEFAULT_MEMORY, NULL, roots, &count);
     return status == ALGSURF_OK ? count : -1;
 }
 
@@ -237,8 +227,8 @@ static int is_inside(const complex_query *q, const algsurf_complex_root *s) {
 static int choose(const complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
                   int *index) {
     const int e = q->frame.exponent;
-    const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->edges.inner_lo), e),
-                                    algsurf_i_scale_down(fmin(q->ray.t_max, q->edges.inner_hi), e)};
+    const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->chord.inner_lo), e),
+                                    algsurf_i_scale_down(fmin(q->ray.t_max, q->chord.inner_hi), e)};
     algsurf_interval range = algsurf_i_interval_scale((algsurf_interval){q->ray.t_min, q->ray.t_max}, e);
     for (int shown = -1;;) {
         int selected = ALGSURF_SELECTED_NONE;
@@ -275,15 +265,12 @@ static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_
     return status;
 }
 
-/* Apart, as most rays that miss need none of its memory. */
+/* hit, root and roots are those of a miss so far.  Apart, as most rays that miss need none of its memory. */
 static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots,
                                    algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     int count = 0, index = 0;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
-    set_miss(hit, root);
-    give_roots(q, s, 0, roots);
-    *iterations = 0;
     algsurf_status status = roots_of(q, start, local, &count, iterations);
     if (status != ALGSURF_OK) {
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
@@ -312,49 +299,48 @@ static algsurf_status check(const algsurf_complex_space *space, int n) {
     return algsurf_sector_holds(&space->sector, &probe, &holds);
 }
 
-static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
-                                                 const algsurf_i_region *region, const algsurf_ray *ray,
-                                                 const algsurf_complex_space *space,
-                                                 const algsurf_complex *start, algsurf_complex *roots,
-                                                 algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
+                                           const algsurf_ray *ray, const algsurf_complex_space *given,
+                                           const algsurf_complex *start, algsurf_complex *roots,
+                                           algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+    algsurf_complex_space space;
+    complex_query q;
+    if (!surface || !given || !hit || !algsurf_options_read(&space, sizeof space, given))
+        return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(region->extent);
-    if (status == ALGSURF_OK) status = check(space, surface->degree);
+    if (status == ALGSURF_OK) status = check(&space, surface->degree);
     if (status != ALGSURF_OK) return status;
-    complex_query q;
     q.surface = surface;
-    q.space = space;
+    q.space = &space;
     q.region = region;
     q.front = *ray;
     q.front.t_min = fmax(ray->t_min, 0);
+    q.ray = q.front;
     *iterations = 0;
-    if (algsurf_i_has_points(q.front.t_min, q.front.t_max) &&
-        algsurf_i_region_bracket(region, &q.front, &q.ray, &q.edges)) {
-        solve(&q, start, roots, hit, root, iterations);
-    } else {
-        set_miss(hit, root);
-        give_roots(&q, NULL, 0, roots);
-    }
+    algsurf_i_set_miss(hit);
+    if (root) *root = (algsurf_complex){NAN, NAN};
+    give_roots(&q, NULL, 0, roots);
+    if (!algsurf_i_has_points(q.front.t_min, q.front.t_max) ||
+        !algsurf_i_region_chord(region, &q.front, &q.chord))
+        return ALGSURF_OK;
+    q.ray.t_min = q.chord.lo;
+    q.ray.t_max = q.chord.hi;
+    solve(&q, start, roots, hit, root, iterations);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
-                                           const algsurf_ray *ray, const algsurf_complex_space *space,
-                                           const algsurf_complex *start, algsurf_complex *roots,
-                                           algsurf_hit *hit, algsurf_complex *root, int *iterations) {
-    algsurf_complex_space known;
-    if (!surface || !space || !hit || !algsurf_options_read(&known, sizeof known, space))
-        return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = intersect(surface, region, ray, &known, start, roots, hit, root, iterations));
-    return status;
-}
-
-algsurf_status algsurf_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_complex_space *space,
-                                         const algsurf_complex *start, algsurf_complex *roots,
-                                         algsurf_hit *hit, algsurf_complex *root) {
+static algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
+                                const algsurf_ray *ray, const algsurf_complex_space *space,
+                                const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
+                                algsurf_complex *root) {
     const algsurf_i_region region = {extent, NULL, 0};
     int iterations;
     return algsurf_i_intersect_complex(surface, &region, ray, space, start, roots, hit, root, &iterations);
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, intersect_complex, intersect,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_complex_space *space, const algsurf_complex *start, algsurf_complex *roots,
+                  algsurf_hit *hit, algsurf_complex *root),
+                 (surface, extent, ray, space, start, roots, hit, root))

@@ -35,7 +35,7 @@
 #include "../base/fpenv.h"
 #include "../poly/interval_round.h"
 #include "../surface/impl.h"
-#include "ray_impl.h"
+#include "region.h"
 
 #define MOST_ROUNDS 16
 #define ENOUGH 0.9            /* of a box's width: a round that leaves more has not helped much */
@@ -58,7 +58,8 @@ typedef struct search {
     double *given, *shifted; /* coefficients: x^i y^j z^k at place(k, j) + i */
     double share;            /* bound: rounding of a range in P~ */
     double left;             /* cells that may still be looked at */
-    cell *heap;
+    int axis, sign;          /* of the face that is looked for */
+    cell *heap;              /* those that reach out farthest that way first */
     int count, room;
 } search;
 
@@ -180,9 +181,11 @@ static int is_empty(search *s, const cell *c) {
 
 /* ---- cells in the order in which they reach out ---- */
 
-static double reach_out(const cell *c, int axis, int sign) { return sign > 0 ? c->hi[axis] : -c->lo[axis]; }
+static double reach_out(const search *s, const cell *c) {
+    return s->sign > 0 ? c->hi[s->axis] : -c->lo[s->axis];
+}
 
-static int push(search *s, const cell *c, int axis, int sign) {
+static int push(search *s, const cell *c) {
     if (s->count == s->room) {
         int room = 2 * s->room + 64;
         cell *more = realloc(s->heap, (size_t)room * sizeof *more);
@@ -191,22 +194,21 @@ static int push(search *s, const cell *c, int axis, int sign) {
         s->room = room;
     }
     int at = s->count++;
-    double reach = reach_out(c, axis, sign);
-    for (; at > 0 && reach_out(&s->heap[(at - 1) / 2], axis, sign) < reach; at = (at - 1) / 2)
+    double reach = reach_out(s, c);
+    for (; at > 0 && reach_out(s, &s->heap[(at - 1) / 2]) < reach; at = (at - 1) / 2)
         s->heap[at] = s->heap[(at - 1) / 2];
     s->heap[at] = *c;
     return 1;
 }
 
-static cell pop(search *s, int axis, int sign) {
+static cell pop(search *s) {
     cell top = s->heap[0], last = s->heap[--s->count];
-    double reach = reach_out(&last, axis, sign);
+    double reach = reach_out(s, &last);
     int at = 0;
     for (int child; (child = 2 * at + 1) < s->count; at = child) {
-        if (child + 1 < s->count &&
-            reach_out(&s->heap[child], axis, sign) < reach_out(&s->heap[child + 1], axis, sign))
-            child++;
-        if (!(reach < reach_out(&s->heap[child], axis, sign))) break;
+        const cell *two = &s->heap[child];
+        if (child + 1 < s->count && reach_out(s, two) < reach_out(s, two + 1)) child++;
+        if (!(reach < reach_out(s, &s->heap[child]))) break;
         s->heap[at] = s->heap[child];
     }
     s->heap[at] = last;
@@ -214,11 +216,11 @@ static cell pop(search *s, int axis, int sign) {
 }
 
 /* Those of the eight parts of a cell that may hold a point. */
-static int push_parts(search *s, const cell *whole, int axis, int sign) {
+static int push_parts(search *s, const cell *whole) {
     for (int which = 0; which < 8; which++) {
         cell part = *whole;
         for (int i = 0; i < 3; i++) *(which >> i & 1 ? &part.lo[i] : &part.hi[i]) = middle_of(whole, i);
-        if (!is_empty(s, &part) && !push(s, &part, axis, sign)) return 0;
+        if (!is_empty(s, &part) && !push(s, &part)) return 0;
     }
     return 1;
 }
@@ -226,19 +228,19 @@ static int push_parts(search *s, const cell *whole, int axis, int sign) {
 typedef enum outcome { NO_MEMORY, EMPTY, FOUND } outcome;
 
 /* How far what is in the box reaches out. */
-static outcome find_face(search *s, const cell *box, int axis, int sign, double precision, double most,
-                         double *face) {
+static outcome find_face(search *s, const cell *box, double precision, double most, double *face) {
+    const int axis = s->axis;
     double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left - most;
     s->count = 0;
-    if (!is_empty(s, box) && !push(s, box, axis, sign)) return NO_MEMORY;
+    if (!is_empty(s, box) && !push(s, box)) return NO_MEMORY;
     while (s->count > 0) {
-        cell first = pop(s, axis, sign);
+        cell first = pop(s);
         double lo = first.lo[axis], hi = first.hi[axis], middle = middle_of(&first, axis);
         if (hi - lo <= width || middle == lo || middle == hi || s->left < stop) {
-            *face = sign > 0 ? hi : lo;
+            *face = s->sign > 0 ? hi : lo;
             return FOUND;
         }
-        if (!push_parts(s, &first, axis, sign)) return NO_MEMORY;
+        if (!push_parts(s, &first)) return NO_MEMORY;
     }
     return EMPTY;
 }
@@ -251,10 +253,10 @@ static outcome find_box(search *s, double precision, cell *box) {
         const cell before = *box; /* for all faces, as the budget: what is symmetric gets a symmetric box */
         const double most = SHARE * s->left;
         int helped = 0;
-        for (int i = 0; i < 3; i++)
-            for (int sign = -1; sign <= 1; sign += 2) {
-                outcome found =
-                    find_face(s, &before, i, sign, share, most, sign > 0 ? &box->hi[i] : &box->lo[i]);
+        for (s->axis = 0; s->axis < 3; s->axis++)
+            for (s->sign = -1; s->sign <= 1; s->sign += 2) {
+                double *face = s->sign > 0 ? &box->hi[s->axis] : &box->lo[s->axis];
+                outcome found = find_face(s, &before, share, most, face);
                 if (found != FOUND) return found;
             }
         for (int i = 0; i < 3; i++) {
@@ -288,10 +290,10 @@ static void set_polynomial(search *s) {
     s->left = MOST_WORK / (3.0 * (double)places * (s->degree + 1) + CELL_ITSELF);
 }
 
-static ALGSURF_NOINLINE algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent,
-                                               int part, double precision, double lo[3], double hi[3],
-                                               int *empty) {
+static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+                              double precision, double lo[3], double hi[3], int *empty) {
     cell box;
+    if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
     search s = {.surface = surface, .degree = surface->degree, .part = part};
     algsurf_status status = algsurf_i_extent_check(extent);
     if (status != ALGSURF_OK) return status;
@@ -315,10 +317,7 @@ static ALGSURF_NOINLINE algsurf_status enclose(const algsurf_surface *surface, c
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_surface_enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
-                                       double precision, double lo[3], double hi[3], int *empty) {
-    if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = enclose(surface, extent, part, precision, lo, hi, empty));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, surface_enclose, enclose,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, int part, double precision,
+                  double lo[3], double hi[3], int *empty),
+                 (surface, extent, part, precision, lo, hi, empty))

@@ -1,21 +1,30 @@
 /* exact_ray.c - a ray in integers: the chord, P along it, its roots, those of them that are in the region.
  *
  * The chord only says where to look: it is the part of the ray in a region a little larger, rounded outward
- * (region.c).  P, and the region's faces, which are those of the extent and the planes, are polynomials with
+ * (ray.c).  P, and the region's faces, which are those of the extent and the planes, are polynomials with
  * integer coefficients in u, t = 2^unit u (surface/exact_form.c, faces.c), with the unit that suits the
  * chord; the roots come from the exact walk (roots/exact_walk.c); and a root next to a face is inside if no
- * face is negative there, which is decided exactly, too. */
+ * face is negative there, which is decided exactly, too.
+ *
+ * Coefficients with an error.  The polynomials along the ray of all surfaces within it are one with radii: a
+ * coefficient a is known to error |a|.  Along X + u D, in integers, p_k is then known to the coefficient of
+ * u^k of the form of the terms error |a|, along |X| + u |D|: all of its summands are the magnitudes of those
+ * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  What lies
+ * within the rounding of the chord's ends is undecided: it may be inside the region or not.  An end that is
+ * infinite has no rounding: roots beyond the largest double count like all others. */
 #include "../base/arithmetic.h"
 #include "exact_ray.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
+#include "../base/fpenv.h"
 #include "../base/vec.h"
+#include "../roots/exact_radii.h"
 #include "../roots/exact_walk.h"
 #include "../surface/exact_form.h"
 #include "faces.h"
-#include "region.h"
 
 enum { STACK_WORDS = 2048 };
 
@@ -23,36 +32,47 @@ typedef struct query {
     const algsurf_surface *surface;
     const algsurf_i_region *region;
     const algsurf_ray *ray;
-    algsurf_ray chord;
-    algsurf_i_edges edges;
+    algsurf_i_chord chord;
     int unit, scale; /* p(u) = 2^scale P */
     algsurf_observer *observer;
     algsurf_memory memory;
     algsurf_i_ray_root *roots;
-    int count, capacity;
+    int count;
 } query;
 
-int algsurf_i_exact_unit(const algsurf_surface *s, const algsurf_ray *ray, double t_min, double t_max) {
-    if (isfinite(t_min) && isfinite(t_max)) return algsurf_exact_piece_of(t_min, t_max).unit;
-    double far = algsurf_max_abs(ray->origin), step = algsurf_max_abs(ray->direction);
-    int reach = far > 0 && ilogb(far) > s->unit ? ilogb(far) : s->unit;
+/* The unit 2^unit of t that suits the chord; of one without ends, about the way from the origin to the
+ * surface. */
+static int unit_of(const query *q) {
+    if (isfinite(q->chord.lo) && isfinite(q->chord.hi))
+        return algsurf_exact_piece_of(q->chord.lo, q->chord.hi).unit;
+    double far = algsurf_max_abs(q->ray->origin), step = algsurf_max_abs(q->ray->direction);
+    int reach = far > 0 && ilogb(far) > q->surface->unit ? ilogb(far) : q->surface->unit;
     return reach - ilogb(step);
 }
 
+static int make_faces(query *q, algsurf_zpoly face[ALGSURF_MOST_FACES], int *count) {
+    return algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, count);
+}
+
+/* A walk over the chord; watch may be null. */
+static int begin_walk(query *q, algsurf_exact_walk *walk, const algsurf_zpoly *p, int refined,
+                      const algsurf_i_watch *watch) {
+    return algsurf_exact_begin(walk, &q->memory, p, q->unit, q->chord.lo, q->chord.hi, refined, watch);
+}
+
 static void add_root(query *q, const algsurf_exact_root *root) {
-    if (q->count == q->capacity) return;
     q->roots[q->count++] =
-        (algsurf_i_ray_root){root->multiplicity, root->sign_before, root->t, root->lo, root->hi};
+        (algsurf_i_ray_root){root->multiplicity, root->sign_before, root->t, root->lo, root->hi, ALGSURF_OK};
 }
 
 /* Is no face but number `except` negative at the walk's last root?  Returns 0 when there is no memory. */
 static int is_inside(query *q, algsurf_exact_walk *walk, const algsurf_exact_root *root, int except,
                      int *inside) {
     algsurf_zpoly face[ALGSURF_MOST_FACES];
-    int faces, sign = 1, done;
+    int faces, sign = 1;
     algsurf_memory_mark mark = algsurf_memory_here(&q->memory);
+    int done = make_faces(q, face, &faces);
     *inside = 1;
-    done = algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, &faces);
     for (int i = 0; done && *inside && i < faces; i++) {
         if (i == except) continue;
         done = algsurf_exact_sign_at_root(walk, root, face + i, &sign);
@@ -62,8 +82,8 @@ static int is_inside(query *q, algsurf_exact_walk *walk, const algsurf_exact_roo
     return done;
 }
 
-static int surely_inside(const query *q, const algsurf_exact_root *root) {
-    return !q->edges.cut || (root->lo >= q->edges.inner_lo && root->hi <= q->edges.inner_hi);
+static int surely_inside(const query *q, double lo, double hi) {
+    return lo >= q->chord.inner_lo && hi <= q->chord.inner_hi;
 }
 
 /* The roots of p that are inside. */
@@ -72,12 +92,12 @@ static algsurf_status walk_chord(query *q, const algsurf_zpoly *p, algsurf_i_wan
     algsurf_exact_root root;
     const algsurf_i_watch watch = {.observer = q->observer, .exponent = -q->scale};
     int found, inside;
-    if (!algsurf_exact_begin(&walk, &q->memory, p, q->unit, q->chord.t_min, q->chord.t_max,
-                             want != ALGSURF_WANT_ANY, q->observer ? &watch : NULL))
+    if (!begin_walk(q, &walk, p, want != ALGSURF_WANT_ANY, q->observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     while ((found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT) {
         inside = 1;
-        if (!surely_inside(q, &root) && !is_inside(q, &walk, &root, -1, &inside)) return ALGSURF_E_NO_MEMORY;
+        if (!surely_inside(q, root.lo, root.hi) && !is_inside(q, &walk, &root, -1, &inside))
+            return ALGSURF_E_NO_MEMORY;
         if (inside) add_root(q, &root);
         if (inside && want != ALGSURF_WANT_ALL) break;
     }
@@ -120,9 +140,7 @@ static int first_entry(query *q, const algsurf_zpoly *face, int which, algsurf_e
     algsurf_exact_root root;
     int found, inside = 0;
     if (face[which].degree < 1) return 1;
-    if (!algsurf_exact_begin(&walk, &q->memory, face + which, q->unit, q->chord.t_min, q->chord.t_max, 1,
-                             NULL))
-        return 0;
+    if (!begin_walk(q, &walk, face + which, 1, NULL)) return 0;
     while (!inside && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
         if (!is_inside(q, &walk, &root, which, &inside)) return 0;
     algsurf_exact_end(&walk);
@@ -136,8 +154,7 @@ static algsurf_status ray_in_surface(query *q) {
     algsurf_zpoly face[ALGSURF_MOST_FACES];
     algsurf_exact_root best = point_root(q->ray->t_min);
     int faces = 0, any = 1;
-    if (!algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, &faces))
-        return ALGSURF_E_NO_MEMORY;
+    if (!make_faces(q, face, &faces)) return ALGSURF_E_NO_MEMORY;
     if (faces > 0) {
         any = 0;
         if (!begin_is_inside(q, face, faces, q->ray->t_min, &any)) return ALGSURF_E_NO_MEMORY;
@@ -149,27 +166,98 @@ static algsurf_status ray_in_surface(query *q) {
     return ALGSURF_OK;
 }
 
+/* ---- coefficients with an error ---- */
+
+/* The terms as error |a|, rounded up; to be freed. */
+static algsurf_term *magnitudes(const algsurf_surface *s) {
+    algsurf_term *terms = malloc(s->term_count * sizeof *terms);
+    for (size_t m = 0; terms && m < s->term_count; m++) {
+        terms[m] = s->terms[m];
+        terms[m].a = nextafter(s->error * fabs(terms[m].a), HUGE_VAL);
+    }
+    return terms;
+}
+
+/* p 2^up, up >= 0, in room of its own. */
+static int scaled(algsurf_memory *m, const algsurf_zpoly *p, int up, algsurf_zpoly *q) {
+    if (p->degree < 0 || up == 0) {
+        *q = *p;
+        return 1;
+    }
+    if (!algsurf_zpoly_copy(m, p, algsurf_z_width(algsurf_zpoly_bits(p) + up), q)) return 0;
+    for (int k = 0; k <= q->degree; k++) algsurf_z_shift_up(algsurf_zpoly_at(q, k), q->width, up);
+    return 1;
+}
+
+/* p and its radii in one unit. */
+static int make_forms(query *q, algsurf_term *spread, algsurf_zpoly *p, algsurf_zpoly *radius) {
+    algsurf_memory *m = &q->memory;
+    algsurf_surface wide = *q->surface;
+    double o[3], d[3];
+    int scale, radius_scale;
+    for (int i = 0; i < 3; i++) {
+        o[i] = fabs(q->ray->origin[i]);
+        d[i] = fabs(q->ray->direction[i]);
+    }
+    wide.terms = spread;
+    if (!algsurf_i_exact_form(m, q->surface, q->ray->origin, q->ray->direction, q->unit, p, &scale) ||
+        !algsurf_i_exact_form(m, &wide, o, d, q->unit, radius, &radius_scale))
+        return 0;
+    if (p->degree < 0) scale = radius_scale;
+    int common = scale > radius_scale ? scale : radius_scale;
+    return scaled(m, p, common - scale, p) && scaled(m, radius, common - radius_scale, radius);
+}
+
+static algsurf_i_ray_root place_of(const query *q, const algsurf_exact_range *range) {
+    double lo = range->lo, hi = range->hi, first = q->chord.lo, last = q->chord.hi;
+    double middle = fmax(fmin(0.5 * lo + 0.5 * hi, DBL_MAX), -DBL_MAX);
+    int inside = surely_inside(q, lo, hi);
+    int at_end = (isfinite(first) && lo <= first) || (isfinite(last) && hi >= last);
+    algsurf_status reason = inside && range->sign_lo ? ALGSURF_OK
+                            : first == last          ? ALGSURF_UNDECIDED_ZERO
+                            : !inside || at_end      ? ALGSURF_UNDECIDED_END
+                                                     : ALGSURF_UNDECIDED_MULTIPLE;
+    return (algsurf_i_ray_root){1, range->sign_lo, middle, lo, hi, reason};
+}
+
+static algsurf_status isolate(query *q, algsurf_term *spread) {
+    const algsurf_i_watch watch = {.observer = q->observer};
+    algsurf_zpoly p, radius;
+    algsurf_exact_range range[ALGSURF_MAX_DEGREE];
+    if (!make_forms(q, spread, &p, &radius) ||
+        !algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
+                                     ALGSURF_MAX_DEGREE, &q->count, q->observer ? &watch : NULL))
+        return ALGSURF_E_NO_MEMORY;
+    for (int i = 0; i < q->count; i++) q->roots[i] = place_of(q, range + i);
+    return ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
+    algsurf_term *spread = magnitudes(q->surface);
+    if (!spread) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = isolate(q, spread);
+    free(spread);
+    return status;
+}
+
+/* ---- both ---- */
+
 static algsurf_status decide(query *q, algsurf_i_want want) {
     algsurf_zpoly p;
     const double *o = q->ray->origin, *d = q->ray->direction;
-    if (!algsurf_i_region_bracket(q->region, q->ray, &q->chord, &q->edges)) return ALGSURF_OK;
-    q->unit = algsurf_i_exact_unit(q->surface, q->ray, q->chord.t_min, q->chord.t_max);
-    int made = algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale);
-    if (!made) return ALGSURF_E_NO_MEMORY;
+    if (!algsurf_i_region_chord(q->region, q->ray, &q->chord)) return ALGSURF_OK;
+    q->unit = unit_of(q);
+    if (q->surface->error > 0) return find_places(q);
+    if (!algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale))
+        return ALGSURF_E_NO_MEMORY;
     return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
                                      const algsurf_ray *ray, algsurf_i_want want, size_t limit,
-                                     algsurf_observer *observer, algsurf_i_ray_root *roots, int capacity,
-                                     int *count) {
+                                     algsurf_observer *observer, algsurf_i_ray_root *roots, int *count) {
     algsurf_limb block[STACK_WORDS];
-    query q = {.surface = surface,
-               .region = region,
-               .ray = ray,
-               .observer = observer,
-               .roots = roots,
-               .capacity = capacity};
+    query q = {.surface = surface, .region = region, .ray = ray, .observer = observer, .roots = roots};
     algsurf_memory_begin(&q.memory, block, STACK_WORDS, limit);
     algsurf_memory_mark begin = algsurf_memory_here(&q.memory);
     algsurf_status status = decide(&q, want);

@@ -1,13 +1,175 @@
-/* expand.c - the public forms of the expansion along a ray. */
+/* expand.c - where the parameter v of a ray has its origin, and what its unit is; P along the ray X + v D in
+ * double: the nested Horner scheme over polynomials in v.
+ *
+ * Error bound.  Along the way of a monomial a x^i y^j z^k every factor X + v D costs a rounding for X
+ * itself, one for the product, one for the sum of the two products, and the scheme one more for the
+ * next coefficient: 4 (i+j+k); joining rows and levels costs at most 3 more.  The same scheme on
+ * magnitudes, M_k, bounds what these roundings multiply, so |error of q_k| <= gamma M_k with
+ * gamma = (4 n + 8) ALGSURF_U, which leaves room for higher orders and the rounding of M_k itself;
+ * coefficients with an error of their own add it to gamma.
+ */
 #include "../base/arithmetic.h"
 #include "algsurf/expand.h"
 
 #include <math.h>
 
-#include "algsurf/poly.h"
-#include "expand_impl.h"
 #include "../base/fpenv.h"
 #include "../base/vec.h"
+#include "algsurf/poly.h"
+#include "expand_impl.h"
+
+/* The least power of two that is not below x > 0; 1 for 0. */
+static double power_above(double x) {
+    int e;
+    double m = frexp(x, &e);
+    return m == 0 ? 1 : ldexp(1, m == 0.5 ? e - 1 : e);
+}
+
+double algsurf_i_scaled(double x, int e) {
+    double y = ldexp(x, e);
+    return y == 0 && x != 0 ? copysign(0x1p-1074, x) : y;
+}
+
+/* May the direction have lost bits to underflow, and does it show?  V is then off by at most 2^-1074, a point
+ * by |s| times that; up to |s| = 2^60 this is among what the expansion allows for underflow, since D has a
+ * component below 2^-960. */
+static int is_lost(const algsurf_i_frame *f, const double direction[3]) {
+    if (!(fabs(f->centre) > 0x1p59 || f->step > 0x1p59)) return 0;
+    for (int i = 0; i < 3; i++)
+        if (direction[i] != 0 && fabs(f->V[i]) < 0x1p-1022) return 1;
+    return 0;
+}
+
+/* (s - centre) / step, the difference exact. */
+static algsurf_dd local(double s, const algsurf_i_frame *f) {
+    if (isinf(s)) return algsurf_dd_from(s);
+    return algsurf_dd_scale(algsurf_two_sum(s, -f->centre), 1 / f->step);
+}
+
+static void place(algsurf_i_frame *f, const double O[3], double centre) {
+    f->centre = centre;
+    for (int i = 0; i < 3; i++) f->X[i] = algsurf_dd_add_d(algsurf_two_prod(centre, f->V[i]), O[i]);
+}
+
+void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, int chord,
+                        algsurf_i_frame *f) {
+    double O[3];
+    int e;
+    (void)frexp(algsurf_max_abs(ray->direction), &e);
+    for (int i = 0; i < 3; i++) {
+        O[i] = algsurf_i_scaled(ray->origin[i], -surface->unit);
+        f->V[i] = algsurf_i_scaled(ray->direction[i], -e);
+    }
+    f->exponent = e - surface->unit;
+    double lo = ldexp(ray->t_min, f->exponent), hi = ldexp(ray->t_max, f->exponent);
+    double half = 0.5 * hi - 0.5 * lo;
+    place(f, O, -algsurf_dot(O, f->V) / algsurf_dot(f->V, f->V));
+    double point[3] = {f->X[0].hi, f->X[1].hi, f->X[2].hi};
+    double natural = power_above(fmax(1, algsurf_max_abs(point)));
+    f->one_piece = chord || half <= 2 * natural;
+    if (f->one_piece) {
+        place(f, O, 0.5 * lo + 0.5 * hi);
+        f->step = power_above(fmax(half, 0x1p-900));
+    } else {
+        f->step = natural;
+    }
+    for (int i = 0; i < 3; i++) f->D[i] = algsurf_i_scaled(f->V[i], ilogb(f->step));
+    f->lost = is_lost(f, ray->direction);
+    f->lo = local(lo, f);
+    f->hi = local(hi, f);
+}
+
+/* ---- P along a line ---- */
+
+typedef struct line_poly {
+    int degree; /* -1: zero */
+    double v[ALGSURF_MAX_DEGREE + 1];
+    double m[ALGSURF_MAX_DEGREE + 1]; /* magnitudes */
+} line_poly;
+
+/* A coordinate along the line: x + v d. */
+typedef struct line_coordinate {
+    double x;
+    double d, x_size, d_size;
+} line_coordinate;
+
+static void times_coordinate(line_poly *p, const line_coordinate *c) {
+    int n = p->degree;
+    if (n < 0) return;
+    p->v[n + 1] = c->d * p->v[n];
+    p->m[n + 1] = c->d_size * p->m[n];
+    for (int i = n; i > 0; i--) p->v[i] = c->x * p->v[i] + c->d * p->v[i - 1];
+    for (int i = n; i > 0; i--) p->m[i] = c->x_size * p->m[i] + c->d_size * p->m[i - 1];
+    p->v[0] = c->x * p->v[0];
+    p->m[0] *= c->x_size;
+    p->degree = n + 1;
+}
+
+static void add_constant(line_poly *p, double a) {
+    if (p->degree < 0) p->degree = 0, p->v[0] = p->m[0] = 0;
+    p->v[0] += a;
+    p->m[0] += fabs(a);
+}
+
+static void add_poly(line_poly *p, const line_poly *q) {
+    for (; p->degree < q->degree; p->degree++) p->v[p->degree + 1] = p->m[p->degree + 1] = 0;
+    for (int i = 0; i <= q->degree; i++) {
+        p->v[i] += q->v[i];
+        p->m[i] += q->m[i];
+    }
+}
+
+static void horner(const algsurf_surface *s, const line_coordinate c[3], line_poly *total) {
+    line_poly level, row;
+    total->degree = -1;
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_level *l = s->levels + k;
+        times_coordinate(total, c + 2);
+        level.degree = -1;
+        for (int j = l->count - 1; j >= 0; j--) {
+            const algsurf_row *r = s->rows + l->first + j;
+            times_coordinate(&level, c + 1);
+            row.degree = -1;
+            for (int i = r->length - 1; i >= 0; i--) {
+                times_coordinate(&row, c);
+                if (s->coef[r->first + (size_t)i] != 0) add_constant(&row, s->coef[r->first + (size_t)i]);
+            }
+            add_poly(&level, &row);
+        }
+        add_poly(total, &level);
+    }
+}
+
+/* What underflow can add to a coefficient.  If even the product of the smallest factors stays above
+ * 2^-900, an underflow (at most 2^-1074 each) is far below the relative bound.  Otherwise fewer than
+ * 2^20 of them, each multiplied by at most max(1,|X|+|D|)^n, add less than the pad. */
+static double underflow_pad(const algsurf_surface *s, const line_coordinate c[3]) {
+    double low = 1, high = 1;
+    for (int i = 0; i < 3; i++) {
+        if (c[i].x_size > 0 && c[i].x_size < low) low = c[i].x_size;
+        if (c[i].d_size > 0 && c[i].d_size < low) low = c[i].d_size;
+        high = fmax(high, c[i].x_size + c[i].d_size);
+    }
+    if (!s->inexact && ilogb(s->smallest) + s->degree * ilogb(low) > -900) return 0;
+    double pad = 0x1p-1000;
+    for (int i = 0; i < s->degree; i++) pad *= high;
+    return pad;
+}
+
+void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q,
+                        double *r) {
+    line_coordinate c[3];
+    line_poly p;
+    int n = s->degree;
+    for (int i = 0; i < 3; i++) c[i] = (line_coordinate){X[i], D[i], fabs(X[i]), fabs(D[i])};
+    horner(s, c, &p);
+    for (int i = p.degree + 1; i <= n; i++) p.v[i] = p.m[i] = 0;
+    for (int i = 0; i <= n; i++) q[i] = p.v[i];
+    double gamma = (4 * n + 8) * ALGSURF_U + s->error, pad = underflow_pad(s, c);
+    for (int i = 0; i <= n; i++) r[i] = gamma * p.m[i] + pad;
+}
+
+/* ---- the public forms ---- */
 
 static algsurf_status check_line(const algsurf_surface *surface, const algsurf_ray *ray, const double *c) {
     if (!surface || !ray || !c) return ALGSURF_E_ARGUMENT;
@@ -39,8 +201,7 @@ static algsurf_status give(const algsurf_surface *s, const double *q, const doub
     return ALGSURF_OK;
 }
 
-static ALGSURF_NOINLINE algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, double *c,
-                                             double *r) {
+static algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, double *c, double *r) {
     algsurf_status status = check_line(s, ray, c);
     if (status != ALGSURF_OK) return status;
     double X[3], D[3], q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1];
@@ -52,15 +213,11 @@ static ALGSURF_NOINLINE algsurf_status power(const algsurf_surface *s, const alg
     return give(s, q, qr, c, r);
 }
 
-algsurf_status algsurf_expand_power(const algsurf_surface *surface, const algsurf_ray *ray, double *c,
-                                    double *r) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = power(surface, ray, c, r));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, expand_power, power,
+                 (const algsurf_surface *surface, const algsurf_ray *ray, double *c, double *r),
+                 (surface, ray, c, r))
 
-static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray, double *b,
-                                                 double *r) {
+static algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray, double *b, double *r) {
     algsurf_status status = check_line(s, ray, b);
     if (status != ALGSURF_OK) return status;
     if (!(ray->t_min < ray->t_max) || isinf(ray->t_min) || isinf(ray->t_max)) return ALGSURF_E_ARGUMENT;
@@ -80,9 +237,6 @@ static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const
     return give(s, value, radius, b, r);
 }
 
-algsurf_status algsurf_expand_bernstein(const algsurf_surface *surface, const algsurf_ray *ray, double *b,
-                                        double *r) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = bernstein(surface, ray, b, r));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, expand_bernstein, bernstein,
+                 (const algsurf_surface *surface, const algsurf_ray *ray, double *b, double *r),
+                 (surface, ray, b, r))

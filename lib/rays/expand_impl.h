@@ -34,7 +34,6 @@ void algsurf_i_frame_of(const algsurf_surface *s, const algsurf_ray *ray, int ch
 /* q(v) = 2^scale P(X + v D) = sum q_k v^k, X and D in natural units.  Radii: |q_k - exact| <= r_k for the
  * exact line, when each X_i is the exact coordinate up to a relative error of u and D is exact.  Overflow
  * shows as q or r that is not finite. */
-void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q,
-                        double *r); /* r may be null: then no magnitudes are computed */
+void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q, double *r);
 
 #endif

@@ -1,8 +1,8 @@
 /* rays/faces.c - the faces of a ball or a box, and planes, along a ray, without rounding.
  *
  * All doubles that are added are brought to their lowest common bit 2^-shift; then everything is integers:
- * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 or h -+ l_i.  Of a plane, normals have a lowest bit of their
- * own, and so have the points o + 2^e d u; the offset has the bits of products. */
+ * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 of a ball.  Of what is flat, normals have a lowest bit of
+ * their own, and so have the points o + 2^e d u; offsets have the bits of products. */
 #include "../base/arithmetic.h"
 #include "faces.h"
 
@@ -21,41 +21,12 @@ static void include(range *all, double x, int e) {
     all->empty = 0;
 }
 
-/* Coordinate i of origin - centre and of the direction. */
-static void include_coordinate(range *all, const algsurf_extent *x, const double origin[3],
-                               const double direction[3], int e, int i) {
-    include(all, origin[i], 0), include(all, x->centre[i], 0), include(all, direction[i], e);
-}
-
 /* Compact, and what it does not need then is given back; it is the last that was taken. */
 static void settle(algsurf_memory *m, algsurf_zpoly *p) {
     algsurf_memory_mark kept = algsurf_memory_here(m);
     algsurf_zpoly_compact(p);
     kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width;
     algsurf_memory_release(m, kept);
-}
-
-/* h - l (side 0) or h + l (side 1), l coordinate i. */
-static int box_face(algsurf_memory *m, const algsurf_extent *x, const double origin[3],
-                    const double direction[3], int e, int i, int side, algsurf_zpoly *face) {
-    range all = {0, 0, 1};
-    include_coordinate(&all, x, origin, direction, e, i), include(&all, x->size[i], 0);
-    int width = algsurf_z_width(all.top - all.low + 2), shift = -all.low; /* three summands */
-    if (!algsurf_zpoly_new(m, 1, width, face)) return 0;
-    double sign = side ? 1 : -1;
-    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, x->size[i], shift);
-    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, sign * origin[i], shift);
-    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, -sign * x->centre[i], shift);
-    algsurf_z_add_double(algsurf_zpoly_at(face, 1), width, sign * direction[i], shift + e);
-    settle(m, face);
-    return 1;
-}
-
-static int box(algsurf_memory *m, const algsurf_extent *x, const double origin[3], const double direction[3],
-               int e, algsurf_zpoly face[ALGSURF_MOST_FACES]) {
-    for (int f = 0; f < 6; f++)
-        if (!box_face(m, x, origin, direction, e, f / 2, f % 2, &face[f])) return 0;
-    return 1;
 }
 
 /* face -= or += (a + b u)^2, the magnitudes of a and b in room for 2 w limbs. */
@@ -73,7 +44,8 @@ static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[
                 int e, algsurf_zpoly *face) {
     range all = {0, 0, 1};
     algsurf_memory_mark before = algsurf_memory_here(m);
-    for (int i = 0; i < 3; i++) include_coordinate(&all, x, origin, direction, e, i);
+    for (int i = 0; i < 3; i++)
+        include(&all, origin[i], 0), include(&all, x->centre[i], 0), include(&all, direction[i], e);
     include(&all, x->size[0], 0);
     /* |l's coefficients| < 2^bits; four squares with 2 a b: below 2^(2 bits + 3) */
     int bits = all.top - all.low + 1, w = algsurf_z_width(bits), shift = -all.low;
@@ -106,17 +78,20 @@ static const algsurf_limb *integer_of(double x, int shift, int w, algsurf_limb *
     return room;
 }
 
-static int plane(algsurf_memory *m, const algsurf_plane *p, const double origin[3], const double direction[3],
-                 int e, algsurf_zpoly *face) {
+/* The points X with n.X <= a + b. */
+static int flat(algsurf_memory *m, const double normal[3], double a, double b, const double origin[3],
+                const double direction[3], int e, algsurf_zpoly *face) {
     range normals = {0, 0, 1}, points = {0, 0, 1}, offset = {0, 0, 1};
     algsurf_memory_mark before = algsurf_memory_here(m);
-    for (int i = 0; i < 3; i++)
-        include(&normals, p->normal[i], 0), include(&points, origin[i], 0), include(&points, direction[i], e);
-    include(&offset, p->offset, 0);
+    for (int i = 0; i < 3; i++) {
+        if (normal[i] == 0) continue;
+        include(&normals, normal[i], 0), include(&points, origin[i], 0), include(&points, direction[i], e);
+    }
+    include(&offset, a, 0), include(&offset, b, 0);
     if (!offset.empty && offset.low - normals.low < points.low) points.low = offset.low - normals.low;
     int low = normals.low + points.low, top = normals.top + points.top;
     if (!offset.empty && offset.top > top) top = offset.top;
-    /* a product of each axis, and the offset: below 2^(bits + 2) */
+    /* four summands: a product of each axis, and one offset; or of one axis, and two */
     int wn = algsurf_z_width(normals.top - normals.low), wp = algsurf_z_width(points.top - points.low);
     if (!algsurf_zpoly_new(m, 1, algsurf_z_width(top - low + 2), face)) return 0;
     algsurf_memory_mark work = algsurf_memory_here(m);
@@ -125,18 +100,30 @@ static int plane(algsurf_memory *m, const algsurf_plane *p, const double origin[
         algsurf_memory_release(m, before);
         return 0;
     }
-    algsurf_limb *x = n + 2 * wn;
-    algsurf_z_add_double(algsurf_zpoly_at(face, 0), face->width, p->offset, -low);
+    algsurf_limb *x = n + 2 * wn, *c0 = algsurf_zpoly_at(face, 0), *c1 = algsurf_zpoly_at(face, 1);
+    algsurf_z_add_double(c0, face->width, a, -low);
+    algsurf_z_add_double(c0, face->width, b, -low);
     for (int i = 0; i < 3; i++) {
-        const algsurf_z_factor f =
-            algsurf_z_factor_of(integer_of(p->normal[i], -normals.low, wn, n), wn, n + wn);
-        algsurf_z_add_times(algsurf_zpoly_at(face, 0), face->width, integer_of(origin[i], -points.low, wp, x),
-                            wp, &f, 1);
-        algsurf_z_add_times(algsurf_zpoly_at(face, 1), face->width,
-                            integer_of(direction[i], e - points.low, wp, x), wp, &f, 1);
+        if (normal[i] == 0) continue;
+        const algsurf_limb *factor = integer_of(normal[i], -normals.low, wn, n);
+        const algsurf_z_factor f = algsurf_z_factor_of(factor, wn, n + wn);
+        algsurf_z_add_times(c0, face->width, integer_of(origin[i], -points.low, wp, x), wp, &f, 1);
+        algsurf_z_add_times(c1, face->width, integer_of(direction[i], e - points.low, wp, x), wp, &f, 1);
     }
     algsurf_memory_release(m, work);
     settle(m, face);
+    return 1;
+}
+
+/* +-(X_i - c_i) <= h. */
+static int box(algsurf_memory *m, const algsurf_extent *x, const double origin[3], const double direction[3],
+               int e, algsurf_zpoly face[6]) {
+    for (int f = 0; f < 6; f++) {
+        int i = f / 2;
+        double sign = f % 2 ? -1 : 1, normal[3] = {0, 0, 0};
+        normal[i] = sign;
+        if (!flat(m, normal, x->size[i], sign * x->centre[i], origin, direction, e, &face[f])) return 0;
+    }
     return 1;
 }
 
@@ -155,7 +142,8 @@ int algsurf_i_faces(algsurf_memory *m, const algsurf_i_region *region, const dou
     algsurf_memory_mark before = algsurf_memory_here(m);
     int done = faces_of_extent(m, region->extent, origin, direction, e, face, count);
     for (size_t i = 0; done && i < region->plane_count; i++)
-        done = plane(m, region->planes + i, origin, direction, e, &face[(*count)++]);
+        done = flat(m, region->planes[i].normal, region->planes[i].offset, 0, origin, direction, e,
+                    &face[(*count)++]);
     if (!done) {
         algsurf_memory_release(m, before);
         *count = 0;

@@ -62,7 +62,7 @@ APART void begin_pieces(const algsurf_i_rays_job *job, const places *w, ray_lane
     f->degree = all_lanes(s->degree);
     for (int l = 0; l < w->count; l++) {
         int changing = 0;
-        for (int i = 0; i < 3; i++) changing |= (number_of(job->direction[i], w, 3 + i)[l] != 0) << i;
+        for (int i = 0; i < 3; i++) changing |= (number_of(job->rays->direction[i], w, 3 + i)[l] != 0) << i;
         f->degree[l] = s->degree_in[changing];
     }
     set_piece(f, r);
@@ -74,21 +74,25 @@ INLINE void begin_far(const algsurf_i_rays_job *job, const places *w, ray_lanes 
     if (any(f->far)) begin_pieces(job, w, r, f);
 }
 
-/* What the packet's coefficients of degree n, over the pieces that have been searched, tell. */
-APART void look_out(const packet *k, int n, int own, far_rays *f) {
-    f->is = look_beyond(k->b, k->e, n, own, f->degree);
-    f->is.lost &= at_most(absolute(f->piece), all_lanes(0));
+/* What the coefficients of degree n tell, over the pieces that have been searched. */
+APART beyond look_out(const lanes *b, const lanes *e, int n, int own, const far_rays *f) {
+    beyond is = look_beyond(b, e, n, own, f->degree);
+    is.lost &= at_most(absolute(f->piece), all_lanes(0));
+    return is;
 }
 
-/* By powers, whose radii are less, of lanes that nodes do not show the degree of. */
-APART void look_again(const algsurf_surface *s, const chord_line *line, int n, far_rays *f) {
+/* The packet's; and those from powers, whose radii are less, if nodes do not show the degree of some lanes.
+ */
+APART void look_about(const algsurf_surface *s, const chord_line *line, const packet *k, mask which, int n,
+                      int own, far_rays *f) {
+    f->is = look_out(k->b, k->e, n, own, f);
+    if (own || !any(which & f->is.lost)) return;
     packet again;
-    const beyond is = f->is;
     coefficients_from_powers(s, line, n, again.b, again.e);
-    look_out(&again, n, 1, f);
-    f->is.none_before |= is.none_before;
-    f->is.none_behind |= is.none_behind;
-    f->is.lost &= is.lost;
+    const beyond more = look_out(again.b, again.e, n, 1, f);
+    f->is.none_before |= more.none_before;
+    f->is.none_behind |= more.none_behind;
+    f->is.lost &= more.lost;
 }
 
 /* Lanes for which the piece before, or the one behind, is to be searched. */
@@ -118,8 +122,7 @@ APART mask next_pieces(const algsurf_i_rays_job *job, const ray_lanes *r, far_ra
     mask which = f->far & opened;
     if (job->any) which &= ~k->hit;
     if (!any(which)) return which;
-    look_out(k, n, own, f);
-    if (!own && any(which & f->is.lost)) look_again(job->surface, line, n, f);
+    look_about(job->surface, line, k, which, n, own, f);
     mask before = lanes_before(r, f, which);
     mask behind = lanes_behind(r, f, which & ~(before | k->hit | k->undecided));
     return go_on(f, k, before, behind);
@@ -137,7 +140,7 @@ APART void put(waiting *list, const places *w, const far_rays *f, unsigned which
     unsigned looking = bits(f->looking);
     for (int l = 0; l < w->count; l++) {
         if (!(which >> l & 1)) continue;
-        list->ray[list->count] = place_of(w, l);
+        list->ray[list->count] = w->ray[l];
         list->piece[list->count] = f->piece[l];
         list->looking[list->count++] = looking >> l & 1;
     }
@@ -145,8 +148,9 @@ APART void put(waiting *list, const places *w, const far_rays *f, unsigned which
 
 /* The last ones: LANES, or as many as there are. */
 APART void take(waiting *list, const algsurf_i_rays_job *job, places *w) {
-    const double *const from[8] = {job->origin[0],    job->origin[1],    job->origin[2], job->direction[0],
-                                   job->direction[1], job->direction[2], job->t_min,     job->t_max};
+    const double *const from[8] = {job->rays->origin[0],    job->rays->origin[1],    job->rays->origin[2],
+                                   job->rays->direction[0], job->rays->direction[1], job->rays->direction[2],
+                                   job->rays->t_min,        job->rays->t_max};
     w->listed = 1;
     w->count = list->count < LANES ? list->count : LANES;
     list->count -= w->count;

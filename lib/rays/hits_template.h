@@ -83,7 +83,7 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
 }
 
 /* Lanes of which the gradient at x is not known to be that at the hit, a step away, to what ALGSURF_I_CLEAR
- * asks for: their normals are NaN, and found apart (normal.h).
+ * asks for: their normals are NaN, and found apart (normal.c).
  *
  * With S, P's scheme on magnitudes at |x|, rounding puts S_i off by (4 n + 8) u S_i at most (surface/eval.c),
  * a step along r, |r_j| < 2, by 2 |step| sum_j S_ij.  With L = max(1, |x|) and the sum A of the coefficients'

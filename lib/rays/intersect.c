@@ -13,11 +13,7 @@
 #include "../base/fpenv.h"
 #include "exact_ray.h"
 #include "intersect_impl.h"
-#include "packets.h"
-#include "normal.h"
-#include "query.h"
-#include "ranges.h"
-#include "ray_impl.h"
+#include "expand_impl.h"
 #include "../base/vec.h"
 
 void algsurf_i_set_miss(algsurf_hit *hit) {
@@ -42,19 +38,12 @@ static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[
     for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
-/* The point at t where the frame has, or may have, overflowed. */
-static void point_within_range(const hit_point *p, double t, double x[3], double position[3]) {
-    for (int i = 0; i < 3; i++) {
-        position[i] = algsurf_i_coordinate_at(p->ray, i, t);
-        x[i] = ldexp(algsurf_multiply_add(t, p->ray->direction[i], p->ray->origin[i]), -p->surface->unit);
-    }
-}
-
-/* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
-static void set_position(const hit_point *p, const double x[3], double t, double position[3]) {
+/* A point in natural units as the caller's; from t where t overflows in natural units (`beyond`), and a
+ * coordinate of which underflow took digits. */
+static void set_position(const hit_point *p, const double x[3], double t, int beyond, double position[3]) {
     for (int i = 0; i < 3; i++) {
         double unpolished = algsurf_i_coordinate_at(p->ray, i, t);
-        int lost = p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900;
+        int lost = beyond || (p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900);
         lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
         position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
     }
@@ -82,9 +71,8 @@ static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const alg
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(&p, x, root->t, hit->position);
-    int beyond = p.frame.lost || !p.frame.one_piece; /* t overflows in natural units: not even one point */
-    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&p, root->t, x, hit->position);
+    set_position(&p, x, root->t, p.frame.lost || !p.frame.one_piece, hit->position);
+    if (!algsurf_is_finite3(hit->position)) set_position(&p, x, root->t, 1, hit->position);
     algsurf_i_set_normal(surface, ray, hit->position, distance_of_t(ray, root), q->memory_limit, hit->normal);
 }
 
@@ -101,13 +89,11 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
 
 /* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
 static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int most, algsurf_hit *hits) {
-    const double *x = ray->origin, *d = ray->direction;
     const algsurf_intersect_options *o = &q->options;
     if (!q->fits_lanes) return -1;
-    algsurf_i_rays_job job = algsurf_i_query_job(q);
-    for (int i = 0; i < 3; i++) job.origin[i] = x + i, job.direction[i] = d + i;
-    job.t_min = &ray->t_min;
-    job.t_max = &ray->t_max;
+    algsurf_i_rays_job job = q->job;
+    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
+    job.rays = &rays;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
@@ -117,45 +103,27 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
     return count;
 }
 
-/* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
- * FIRST. */
-
-/* Exact coefficients: all is decided. */
+/* What lanes leave undecided, in integers: at most ALGSURF_MAX_DEGREE hits, or one for want FIRST.  Places
+ * that are undecided only coefficients with an error have: there FIRST is among all. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
-    int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
     algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, want, q->memory_limit,
-                                                  q->options.observer, roots, most, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q, ray, roots + i, hits + i);
-    return status;
-}
-
-/* Coefficients with an error: what that hides is undecided.  FIRST is among all. */
-static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, const algsurf_ray *ray,
-                                                      algsurf_hit *hits, int *count) {
-    algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
-    algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
-                                                   q->options.observer, range, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
-        double lo = range[i].lo, hi = range[i].hi,
-               middle = fmax(fmin(0.5 * lo + 0.5 * hi, DBL_MAX), -DBL_MAX);
-        const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
-        if (range[i].side)
-            make_hit(q, ray, &root, hits + i);
+                                                  q->options.observer, roots, count);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++)
+        if (roots[i].reason == ALGSURF_OK)
+            make_hit(q, ray, roots + i, hits + i);
         else
-            set_undecided(ray, lo, hi, range[i].reason, hits + i);
-    }
+            set_undecided(ray, roots[i].t_lo, roots[i].t_hi, roots[i].reason, hits + i);
     return status;
 }
 
 /* The bounded tier goes no further: one entry, if the ray meets the region. */
 static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_hit *hit,
                           int *count) {
-    algsurf_ray chord;
-    algsurf_i_edges edges;
-    *count = algsurf_i_region_bracket(region, ray, &chord, &edges);
-    if (*count) set_undecided(ray, chord.t_min, chord.t_max, ALGSURF_UNDECIDED_MULTIPLE, hit);
+    algsurf_i_chord chord;
+    *count = algsurf_i_region_chord(region, ray, &chord);
+    if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hit);
 }
 
 /* What becomes of undecided places is the caller's choice. */
@@ -177,8 +145,6 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
     algsurf_status status = ALGSURF_OK;
     if (q->options.tier == ALGSURF_TIER_BOUNDED)
         hit_undecided(&q->region, ray, hits, count);
-    else if (q->surface->error > 0)
-        status = hits_in_ranges(q, ray, hits, count);
     else
         status = hits_exact(q, ray, want, hits, count);
     if (status != ALGSURF_OK) return status;
@@ -204,23 +170,18 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
     return ALGSURF_OK;
 }
 
-/* Room in `found` for one hit for each degree, but at least one. */
-static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
-                               int *count) {
-    *count = hits_in_lane(q, ray, q->surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK : decide(q, ray, ALGSURF_WANT_ALL, found, count);
-}
-
-static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                           algsurf_hit *hits, int capacity, int *count) {
+static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
+                          const algsurf_ray *ray, const algsurf_intersect_options *options, algsurf_hit *hits,
+                          int capacity, int *count) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
-    int n = 0;
-    if (!surface) return ALGSURF_E_ARGUMENT;
+    int n;
+    if (!surface || !hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
-    if (status == ALGSURF_OK) status = find_all(&q, ray, found, &n);
+    if (status != ALGSURF_OK) return status;
+    n = hits_in_lane(&q, ray, surface->degree, found);
+    if (n < 0) status = decide(&q, ray, ALGSURF_WANT_ALL, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(hits, found, (size_t)n * sizeof *hits);
@@ -228,14 +189,10 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                     const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                     algsurf_hit *hits, int capacity, int *count) {
-    if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = all(surface, extent, ray, options, hits, capacity, count));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, intersect_all, all,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, algsurf_hit *hits, int capacity, int *count),
+                 (surface, extent, ray, options, hits, capacity, count))
 
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];

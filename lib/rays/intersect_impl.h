@@ -1,33 +1,66 @@
-/* intersect_impl.h - the roots of one ray, between the walk that isolates them and the hits reported. */
+/* intersect_impl.h - what a call of algsurf/intersect.h asks of all its rays, read, checked and prepared
+ * once; and how one that lanes leave undecided is answered. */
 #ifndef ALGSURF_INTERSECT_IMPL_H
 #define ALGSURF_INTERSECT_IMPL_H
+#include "../simd/kernel.h"
 #include "algsurf/intersect.h"
-#include "expand_impl.h"
-#include "query.h"
+#include "packets.h"
 #include "region.h"
 
-/* A root along a ray. */
-typedef struct algsurf_i_ray_root {
-    int multiplicity;     /* 0: the ray lies in the surface */
-    int side;             /* the sign of P just before it, 0 for a ray in the surface */
-    double t, t_lo, t_hi; /* as in algsurf_hit */
-} algsurf_i_ray_root;
+/* It holds pointers into itself: it is not to be copied. */
+typedef struct algsurf_i_query {
+    const algsurf_surface *surface;
+    algsurf_intersect_options options;
+    size_t memory_limit;     /* of deciding one ray, in bytes */
+    int has_method;          /* has the caller chosen how brackets are refined? */
+    algsurf_i_region region; /* as given: what integers decide by */
+    /* For lanes, in which surface, extent and planes have sizes that they can square. */
+    int fits_lanes;                                /* 0: integers decide; the members below are not set */
+    const algsurf_i_kernel *kernel;                /* the caller's choice, or the fastest */
+    algsurf_i_rays_job job;                        /* but for the rays; its extent is the region's, or: */
+    algsurf_extent wider;                          /* a wider one that shows no more */
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES]; /* the region's, by algsurf_i_plane_in_unit */
+} algsurf_i_query;
 
-typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT_ANY } algsurf_i_want;
+/* Reads and checks a caller's options (null: the defaults); a kernel's name becomes the library's own string.
+ */
+algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
+                                                algsurf_intersect_options *options);
+
+/* A query about a surface, from a caller's arguments.  Extent and planes are not copied: they must stay.
+ * Returns OK, or the error of algsurf_intersect_first for extent or options. */
+algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
+                                    const algsurf_extent *extent, const algsurf_intersect_options *given);
+
+/* A packet of one ray. */
+static inline algsurf_ray_packet algsurf_i_packet_of(const algsurf_ray *ray) {
+    const double *o = ray->origin, *d = ray->direction;
+    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
+                                .count = 1,
+                                .origin = {o, o + 1, o + 2},
+                                .direction = {d, d + 1, d + 2},
+                                .t_min = &ray->t_min,
+                                .t_max = &ray->t_max};
+}
+
+/* What follows is in the standard floating-point environment. */
 
 /* No point of the surface on the ray. */
 void algsurf_i_set_miss(algsurf_hit *hit);
 
-/* algsurf_intersect_packet, in the standard floating-point environment; exact: the rays that integers decided
- * are added to it. */
+/* The unit normal at a point of the ray, in the caller's units, that is `off` from its root at most, beside
+ * rounding of its coordinates; limit: bytes that may be allocated. */
+void algsurf_i_set_normal(const algsurf_surface *surface, const algsurf_ray *ray, const double position[3],
+                          double off, size_t limit, double normal[3]);
+
+/* algsurf_intersect_packet; exact: the rays that integers decided are added to it. */
 algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
                                           const algsurf_ray_packet *rays,
                                           const algsurf_intersect_options *options,
                                           const algsurf_hit_packet *hits, uint64_t *exact);
 
-/* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
- * floating-point environment: OK or E_NO_MEMORY.  exact: 1 is
- * added where integers decide. */
+/* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided: OK or
+ * E_NO_MEMORY.  exact: 1 is added where integers decide. */
 algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
                                          uint64_t *exact);
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state);

@@ -9,7 +9,7 @@
  * the same a few roundings before the point.  If it is not, that of a point farther before it on the ray
  * counts: where two sheets meet, or one is there twice, it is the normal seen beside. */
 #include "../base/arithmetic.h"
-#include "normal.h"
+#include "intersect_impl.h"
 
 #include <limits.h>
 #include <math.h>

@@ -15,7 +15,6 @@ typedef struct single_ray {
     ray_lanes ray;
     far_rays ends;
     chord_line line;
-    lanes middle, half;
     packet k;
     double length, newton; /* of the bracket that the caller's method refines, and the step from its point */
     algsurf_i_watch watch; /* where k says so */
@@ -30,7 +29,7 @@ static double in_packet(const single_ray *s, double x) {
 
 /* The point at v in the packet's [0,1], and its t, rounded. */
 static lanes point_at(const single_ray *s, double v, lanes x[3]) {
-    lanes low, t = exact_sum(s->middle, s->half * (2 * v - 1), &low);
+    lanes low, t = exact_sum(s->line.t_c, s->line.h * (2 * v - 1), &low);
     for (int i = 0; i < 3; i++)
         x[i] = along(s->ray.origin[i], low * s->ray.direction[i], t, s->ray.direction[i]);
     return t;
@@ -59,7 +58,7 @@ static double bracket_value(double x, void *data) {
 static double refine_single(single_ray *s) {
     algsurf_refine_options how = *s->how;
     algsurf_refined_root root = {.root = 0.5};
-    s->length = 2 * s->half[0] * (s->k.at.q[0] - s->k.at.p[0]);
+    s->length = 2 * s->line.h[0] * (s->k.at.q[0] - s->k.at.p[0]);
     how.absolute_tolerance /= s->length * s->ray.t_unit[0];
     (void)algsurf_i_refine_function(bracket_value, s, &s->newton, 0, 1, &how, &root);
     return in_packet(s, root.root);
@@ -88,7 +87,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, 1, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->line.t_c, s->line.h, 2 * v - 1, !wide, 1, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;
     if (any(s->k.undecided) || wide) {
         s->k.undecided = no_lane();
@@ -111,26 +110,14 @@ static int next_piece(single_ray *s, mask before, mask behind) {
     return any(s->ray.open);
 }
 
-/* The first bracket in a piece, as solve_rays finds it; returns whether a piece before it comes first. */
+/* The first bracket in a piece; returns whether a piece before it comes first. */
 static int first_bracket(single_ray *s) {
     int n = s->job->surface->node_degree, own = !s->job->surface->nodes;
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
-    s->middle = 0.5 * s->ray.near + 0.5 * s->ray.far;
-    s->half = 0.5 * s->ray.far - 0.5 * s->ray.near;
     s->from_powers = own;
-    s->k.watch = watch_chord(s->job, &s->ray, &s->watch);
-    s->k.open = s->ray.open;
-    s->k.undecided = s->ray.undecided;
-    s->k.hit = no_lane();
-    if (any(s->k.open)) set_chords(s->job, &s->ray, s->middle, s->half, &s->line, &s->k);
-    mask which = s->k.open & s->ends.far;
-    if (!any(s->k.open)) return 0;
-    if (own)
-        decide_from_powers(s->job, &s->line, &s->k, n);
-    else
-        decide_from_nodes(s->job, &s->line, &s->k, n);
-    if (any(which)) look_out(&s->k, n, own, &s->ends);
-    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, n, &s->ends);
+    mask opened = search(s->job, &s->ray, &s->watch, &s->line, &s->k, n), which = opened & s->ends.far;
+    if (!any(opened)) return 0;
+    if (any(which)) look_about(s->job->surface, &s->line, &s->k, which, n, own, &s->ends);
     for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
     mask before = lanes_before(&s->ray, &s->ends, which);
     return any(before) && next_piece(s, before, no_lane());
@@ -153,11 +140,13 @@ static void next_bracket(single_ray *s) {
 
 static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
                     algsurf_hit *hits) {
-    single_ray s = {.job = job, .how = how};
+    single_ray s; /* a long one, which there is no need to clear */
     int count = 0;
+    s.job = job;
+    s.how = how;
     double scale = ldexp(1, -job->surface->unit);
     places first;
-    first.count = 1, first.listed = 0, first.at = 0;
+    set_places(&first, 0, 1);
     s.ray = load_rays(job, &first, scale);
     clip_rays(job, &first, &s.ray, scale);
     begin_far(job, &first, &s.ray, &s.ends);

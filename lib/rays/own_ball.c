@@ -1,12 +1,13 @@
-/* own_ball.c - P = a (|X - C|^2 - R^2)?  Compared coefficient by coefficient, in integers:
- * a (x^2 + y^2 + z^2) - 2 a C.X + a (|C|^2 - R^2). */
+/* own_ball.c - a surface that is the sphere of its own extent: P = a (|X - C|^2 - R^2)?  Compared coefficient
+ * by coefficient, in integers: a (x^2 + y^2 + z^2) - 2 a C.X + a (|C|^2 - R^2). */
 #include "../base/arithmetic.h"
-#include "own_ball.h"
+#include "region.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "../base/integer.h"
+#include "../surface/impl.h"
 
 /* Bits of a sum of products of three doubles: they reach from 2^-3222 to 2^3074. */
 enum { LOW = 3 * 1074, WIDTH = (3 * 1074 + 3 * 1024 + 64) / 64 + 1 };
@@ -61,7 +62,7 @@ static int is_far(double constant, double a, const double centre[3], double radi
     return fabs(sum + a * radius * radius) > 0x1p-40 * size;
 }
 
-int algsurf_i_is_own_ball(const algsurf_surface *s, const algsurf_extent *extent) {
+static int is_own_ball(const algsurf_surface *s, const algsurf_extent *extent) {
     double square[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, constant = 0;
     if (!extent || extent->kind != ALGSURF_EXTENT_SPHERE || s->degree != 2 || s->error > 0) return 0;
     for (size_t m = 0; m < s->term_count; m++) {
@@ -82,7 +83,7 @@ int algsurf_i_is_own_ball(const algsurf_surface *s, const algsurf_extent *extent
 
 const algsurf_extent *algsurf_i_without_own_ball(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  algsurf_extent *wider) {
-    if (!algsurf_i_is_own_ball(surface, extent)) return extent;
+    if (!is_own_ball(surface, extent)) return extent;
     *wider = *extent;
     wider->size[0] = 2 * extent->size[0];
     return wider;

@@ -10,11 +10,8 @@
 
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
-#include "packets.h"
-#include "normal.h"
 #include "../base/options.h"
-#include "query.h"
-#include "ray_impl.h"
+#include "../surface/impl.h"
 
 const char *algsurf_kernel_name(int index) {
     const algsurf_i_kernel *kernel = algsurf_i_kernel_at(index);
@@ -32,10 +29,10 @@ static algsurf_ray ray_of(const algsurf_ray_packet *rays, size_t i) {
     return ray;
 }
 
-/* Are rays begin .. end-1 certainly good ones?  Without branches, for all of them at once. */
-static int all_good(const algsurf_ray_packet *rays, size_t begin, size_t end) {
+/* Are all rays certainly good ones?  Without branches. */
+static int all_good(const algsurf_ray_packet *rays) {
     int good = 1;
-    for (size_t i = begin; i < end; i++) {
+    for (size_t i = 0; i < rays->count; i++) {
         double size = 0, zero = 0;
         for (int k = 0; k < 3; k++) {
             zero += 0 * rays->origin[k][i] + 0 * rays->direction[k][i]; /* NaN unless both are finite */
@@ -52,7 +49,7 @@ static algsurf_status check_rays(const algsurf_ray_packet *rays) {
     if (rays->count == 0) return ALGSURF_OK;
     for (int k = 0; k < 3; k++)
         if (!rays->origin[k] || !rays->direction[k]) return ALGSURF_E_ARGUMENT;
-    if (!rays->active && all_good(rays, 0, rays->count)) return ALGSURF_OK;
+    if (!rays->active && all_good(rays)) return ALGSURF_OK;
     for (size_t i = 0; i < rays->count; i++) {
         if (rays->active && !rays->active[i]) continue;
         algsurf_ray ray = ray_of(rays, i);
@@ -76,35 +73,32 @@ static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {
     return algsurf_i_rays_kernel_for(narrow ? algsurf_i_kernel_at(1) : q->kernel);
 }
 
-/* The states of active rays; of certain hits everything.  A ray that is alone is solved by the baseline's
- * code: the bits are the same, and idle lanes cost less. */
+/* The states of active rays; of certain hits everything.  A ray that is alone has code of its own: the bits
+ * are the same. */
 static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any, int alone,
-                           const algsurf_i_rays_hits *hits) {
+                           const algsurf_hit_packet *hits) {
     if (!q->fits_lanes || q->has_method) {
         for (size_t i = 0; i < rays->count; i++)
             if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_UNDECIDED;
         return;
     }
-    const algsurf_i_rays_kernel *code = packet_code(q);
-    algsurf_i_rays_job job = algsurf_i_query_job(q);
-    for (int k = 0; k < 3; k++) job.origin[k] = rays->origin[k], job.direction[k] = rays->direction[k];
-    job.t_min = rays->t_min;
-    job.t_max = rays->t_max;
-    job.active = rays->active;
+    algsurf_i_rays_job job = q->job;
+    job.rays = rays;
     job.any = any;
     if (alone)
-        algsurf_i_ray_kernel_for(q->kernel)->first(&job, 1, hits);
+        algsurf_i_ray_kernel_for(q->kernel)->first(&job, hits);
     else
-        code->solve(&job, rays->count, hits);
+        packet_code(q)->solve(&job, hits);
 }
 
 static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
     return (!rays->active || rays->active[i]) && state[i] == ALGSURF_LANE_UNDECIDED;
 }
 
-static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_hit *hit) {
+static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hit *hit) {
     hits->state[i] = (unsigned char)hit->state;
-    if (hits->side) hits->side[i] = (int8_t)hit->side;
+    if (hits->multiplicity) hits->multiplicity[i] = hit->multiplicity;
+    if (hits->side) hits->side[i] = (signed char)hit->side;
     if (hits->t) hits->t[i] = hit->t;
     if (hits->t_lo) hits->t_lo[i] = hit->t_lo;
     if (hits->t_hi) hits->t_hi[i] = hit->t_hi;
@@ -114,14 +108,6 @@ static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_h
     }
 }
 
-/* What the packet code does not write: it knows simple roots only. */
-static void set_simple(const algsurf_ray_packet *rays, const algsurf_hit_packet *hits, size_t i) {
-    if (rays->active && !rays->active[i]) return;
-    int hit = hits->state[i] == ALGSURF_HIT;
-    if (hits->multiplicity) hits->multiplicity[i] = hit;
-    if (hits->side && !hit) hits->side[i] = 0;
-}
-
 /* A ray that could not be decided for want of memory. */
 static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
@@ -129,23 +115,14 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     hit->t_hi = ray->t_max;
 }
 
-static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
-    const double *o = ray->origin, *d = ray->direction;
-    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
-                                .count = 1,
-                                .origin = {o, o + 1, o + 2},
-                                .direction = {d, d + 1, d + 2},
-                                .t_min = &ray->t_min,
-                                .t_max = &ray->t_max};
-}
-
-/* The state of one ray, and all of a certain hit. */
-static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
-    const algsurf_ray_packet rays = packet_of(ray);
+/* One ray; returns 0 if it is undecided. */
+static int solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
+    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
     unsigned char state;
-    int8_t side = 0;
-    const algsurf_i_rays_hits hits = {
+    signed char side = 0;
+    const algsurf_hit_packet hits = {
         .state = &state,
+        .multiplicity = &hit->multiplicity,
         .side = &side,
         .t = &hit->t,
         .t_lo = &hit->t_lo,
@@ -157,12 +134,14 @@ static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray,
     if (state == ALGSURF_LANE_HIT && isnan(hit->normal[0]))
         algsurf_i_set_normal(q->surface, ray, hit->position, 0, q->memory_limit, hit->normal);
     hit->side = side;
-    return state;
+    hit->state = state;
+    hit->reason = ALGSURF_OK;
+    return state != ALGSURF_LANE_UNDECIDED;
 }
 
 /* The normal that packets leave open. */
 static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                       const algsurf_i_rays_hits *hits, size_t i) {
+                       const algsurf_hit_packet *hits, size_t i) {
     int open = 0;
     for (int k = 0; k < 3; k++) open |= hits->normal[k] && isnan(hits->normal[k][i]);
     if (!open || hits->state[i] != ALGSURF_HIT || (rays->active && !rays->active[i])) return;
@@ -173,14 +152,12 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
         if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
 
-/* The rays that packets leave undecided, one by one; and what packets do not write. */
+/* The rays, and the normals, that packets leave undecided, one by one. */
 static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                                              const algsurf_i_rays_hits *hits,
-                                              const algsurf_hit_packet *known, uint64_t *exact) {
+                                              const algsurf_hit_packet *hits, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     for (size_t i = 0; i < rays->count; i++) {
         if (!left_alone(rays, hits->state, i)) {
-            set_simple(rays, known, i);
             set_normal(q, rays, hits, i);
             continue;
         }
@@ -192,7 +169,6 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
             status = one;
         }
         store_hit(hits, i, &hit);
-        if (known->multiplicity) known->multiplicity[i] = hit.multiplicity;
     }
     return status;
 }
@@ -204,79 +180,47 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
                                                            const algsurf_hit_packet *to, uint64_t *exact) {
     algsurf_i_query q;
     algsurf_ray_packet read;
-    algsurf_hit_packet known;
-    if (!to || !algsurf_options_read(&known, sizeof known, to)) return ALGSURF_E_ARGUMENT;
+    algsurf_hit_packet hits;
+    if (!to || !algsurf_options_read(&hits, sizeof hits, to)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
     if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
-    if (!known.state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    const algsurf_i_rays_hits hits = {
-        .state = known.state,
-        .side = known.side,
-        .t = known.t,
-        .t_lo = known.t_lo,
-        .t_hi = known.t_hi,
-        .position = {known.position[0], known.position[1], known.position[2]},
-        .normal = {known.normal[0], known.normal[1], known.normal[2]},
-    };
+    if (!hits.state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
     solve_together(&q, &read, 0, 0, &hits);
-    return finish(&q, &read, &hits, &known, exact);
+    return finish(&q, &read, &hits, exact);
 }
 
-static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surface,
-                                                    const algsurf_extent *extent, const algsurf_ray *ray,
-                                                    const algsurf_intersect_options *options,
-                                                    algsurf_hit *hit) {
+static algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
+                            const algsurf_ray *ray, const algsurf_intersect_options *options,
+                            algsurf_hit *hit) {
     algsurf_i_query q;
     algsurf_hit found;
     uint64_t exact = 0;
-    const algsurf_ray_packet given = packet_of(ray);
+    if (!ray || !hit) return ALGSURF_E_ARGUMENT;
+    const algsurf_ray_packet given = algsurf_i_packet_of(ray);
     algsurf_ray_packet rays;
     algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
-    unsigned char state = solve_one(&q, ray, &found);
-    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, hit, &exact);
-    found.state = state;
-    found.reason = ALGSURF_OK;
-    found.multiplicity = state == ALGSURF_LANE_HIT;
+    if (!solve_one(&q, ray, &found)) return algsurf_i_intersect_first(&q, ray, hit, &exact);
     *hit = found;
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                       const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                       algsurf_hit *hit) {
-    if (!ray || !hit) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = first_of_one(surface, extent, ray, options, hit));
-    return status;
-}
-
-algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
-                                        const algsurf_ray_packet *rays,
-                                        const algsurf_intersect_options *options,
-                                        const algsurf_hit_packet *hits) {
-    algsurf_fpenv saved;
-    uint64_t exact = 0;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact);
-    algsurf_fpenv_leave(&saved);
-    return status;
-}
-
+/* Of rays, or of one that is alone. */
 static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray_packet *rays,
-                                           const algsurf_intersect_options *options, unsigned char *state) {
+                                           const algsurf_ray_packet *given,
+                                           const algsurf_intersect_options *options, int alone,
+                                           unsigned char *state) {
     algsurf_i_query q;
-    algsurf_ray_packet read;
-    algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
-    if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
+    algsurf_ray_packet rays;
+    algsurf_status status = prepare(&q, &rays, surface, extent, given, options);
+    if (status == ALGSURF_OK && q.options.observer && !alone) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
-    if (!state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, &read, 1, 0, &(algsurf_i_rays_hits){.state = state});
-    for (size_t i = 0; i < read.count; i++) {
-        if (!left_alone(&read, state, i)) continue;
-        algsurf_ray ray = ray_of(&read, i);
+    if (!state) return rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    solve_together(&q, &rays, 1, alone, &(algsurf_hit_packet){.state = state});
+    for (size_t i = 0; i < rays.count; i++) {
+        if (!left_alone(&rays, state, i)) continue;
+        algsurf_ray ray = ray_of(&rays, i);
         int one = ALGSURF_UNDECIDED;
         algsurf_status decided = algsurf_i_occluded(&q, &ray, &one);
         if (decided != ALGSURF_OK) status = decided;
@@ -285,34 +229,40 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     return status;
 }
 
+static algsurf_status any_of_one(const algsurf_surface *surface, const algsurf_extent *extent,
+                                 const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                 int *state) {
+    unsigned char found;
+    if (!ray || !state) return ALGSURF_E_ARGUMENT;
+    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
+    algsurf_status status = any(surface, extent, &rays, options, 1, &found);
+    if (status == ALGSURF_OK) *state = found;
+    return status;
+}
+
+ALGSURF_I_PUBLIC(algsurf_status, intersect_first, first,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, algsurf_hit *hit),
+                 (surface, extent, ray, options, hit))
+ALGSURF_I_PUBLIC(algsurf_status, occluded, any_of_one,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, int *state),
+                 (surface, extent, ray, options, state))
+
+algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                                        const algsurf_ray_packet *rays,
+                                        const algsurf_intersect_options *options,
+                                        const algsurf_hit_packet *hits) {
+    algsurf_status status;
+    uint64_t exact = 0;
+    ALGSURF_STANDARD(status = algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact));
+    return status;
+}
+
 algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const algsurf_extent *extent,
                                        const algsurf_ray_packet *rays,
                                        const algsurf_intersect_options *options, unsigned char *state) {
     algsurf_status status;
-    ALGSURF_STANDARD(status = any(surface, extent, rays, options, state));
-    return status;
-}
-
-static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface,
-                                                  const algsurf_extent *extent, const algsurf_ray *ray,
-                                                  const algsurf_intersect_options *options, int *state) {
-    algsurf_i_query q;
-    unsigned char found;
-    const algsurf_ray_packet given = packet_of(ray);
-    algsurf_ray_packet rays;
-    algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
-    if (status != ALGSURF_OK) return status;
-    solve_together(&q, &rays, 1, 1, &(algsurf_i_rays_hits){.state = &found});
-    if (found == ALGSURF_LANE_UNDECIDED) return algsurf_i_occluded(&q, ray, state);
-    *state = (int)found;
-    return ALGSURF_OK;
-}
-
-algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                                const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                int *state) {
-    if (!ray || !state) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = any_of_one(surface, extent, ray, options, state));
+    ALGSURF_STANDARD(status = any(surface, extent, rays, options, 0, state));
     return status;
 }

@@ -4,6 +4,6 @@
 
 #include "../simd/avx2.h"
 #ifdef LANES
-#include "solve_rays_template.h"
+#include "packet_template.h"
 #endif
 #include "../simd/end.h"

@@ -3,5 +3,4 @@
 #include "packets.h"
 
 #include "../simd/baseline.h"
-#include "solve_rays_template.h"
 #include "one_ray_template.h"

@@ -18,12 +18,15 @@
  * ends, both chords have the same roots. */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
+#include "packets.h"
+#if LANES > 4
+#define MOST_DEGREE ALGSURF_MAX_WIDE_DEGREE
+#endif
 #include "../roots/first_walk_template.h"
 #include "../simd/lanes.h"
 #include "chord_template.h"
 #include "far_template.h"
 #include "hits_template.h"
-#include "packets.h"
 #include "nodes_template.h"
 #include "powers_template.h"
 
@@ -54,15 +57,14 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
-INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half,
-                       chord_line *line, packet *k) {
+INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, chord_line *line, packet *k) {
     lanes reach[3];
     for (int i = 0; i < 3; i++) {
-        line->middle[i] = along(r->origin[i], all_lanes(0), middle, r->direction[i]);
-        line->half[i] = half * r->direction[i];
+        line->middle[i] = along(r->origin[i], all_lanes(0), line->t_c, r->direction[i]);
+        line->half[i] = line->h * r->direction[i];
         reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
-    k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
+    k->blur = (r->off + 0x1p-52 * (absolute(line->t_c) + line->h)) / absolute(line->h);
     k->undecided |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
     k->undecided |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->undecided;
@@ -131,59 +133,40 @@ INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *l
     if (any(again)) decide_again(job, line, k, again, n);
 }
 
-INLINE void store_lanes(double *p, lanes a, unsigned which) {
-    if (!p) return;
-    if (which == (1u << LANES) - 1) {
-        store(p, a);
+/* The lanes `which`, to the places of their rays in an array, which may be null. */
+INLINE void store_lanes(double *array, lanes a, const places *w, unsigned which) {
+    if (!array) return;
+    if (!w->listed && which == (1u << LANES) - 1) {
+        store(array + w->ray[0], a);
     } else {
         for (int l = 0; l < LANES; l++)
-            if (which >> l & 1) p[l] = a[l];
+            if (which >> l & 1) array[w->ray[l]] = a[l];
     }
 }
 
-/* What is found of the lanes `which`; to: their places, side by side. */
-INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, size_t at,
-                        int count, unsigned which, int any) {
-    unsigned found = bits(k->hit), undecided = bits(k->undecided), below = bits(negative(k->at.side));
-    lanes none = all_lanes(HUGE_VAL);
-    for (int l = 0; l < count; l++)
-        if (which >> l & 1)
-            to->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
-                                                  ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-    for (int l = 0; to->side && l < count; l++)
-        if (which >> l & found >> l & 1) to->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
-    if (any) return;
-    lanes t = choose(k->hit, hit->t, none);
-    store_lanes(to->t ? to->t + at : NULL, t, which);
-    store_lanes(to->t_lo ? to->t_lo + at : NULL, choose(k->hit, hit->t_lo, none), which);
-    store_lanes(to->t_hi ? to->t_hi + at : NULL, choose(k->hit, hit->t_hi, none), which);
-    for (int i = 0; i < 3; i++) {
-        lanes position = choose(k->hit, hit->position[i], all_lanes(0));
-        lanes normal = choose(k->hit, hit->normal[i], all_lanes(0));
-        store_lanes(to->position[i] ? to->position[i] + at : NULL, position, which);
-        store_lanes(to->normal[i] ? to->normal[i] + at : NULL, normal, which);
-    }
-}
-
-/* The same one by one, of rays with places of their own. */
-APART void store_listed(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, const places *w,
+/* What is found of the lanes `which`. */
+INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_hit_packet *to, const places *w,
                         unsigned which, int any) {
-    for (int l = 0; l < w->count; l++) {
-        if (!(which >> l & 1)) continue;
-        size_t i = w->ray[l];
-        int found = bits(k->hit) >> l & 1;
-        to->state[i] = (uint8_t)(found                         ? ALGSURF_LANE_HIT
-                                 : bits(k->undecided) >> l & 1 ? ALGSURF_LANE_UNDECIDED
-                                                               : 0);
-        if (to->side && found) to->side[i] = bits(negative(k->at.side)) >> l & 1 ? -1 : 1;
-        if (any) continue;
-        if (to->t) to->t[i] = found ? hit->t[l] : HUGE_VAL;
-        if (to->t_lo) to->t_lo[i] = found ? hit->t_lo[l] : HUGE_VAL;
-        if (to->t_hi) to->t_hi[i] = found ? hit->t_hi[l] : HUGE_VAL;
-        for (int j = 0; j < 3; j++) {
-            if (to->position[j]) to->position[j][i] = found ? hit->position[j][l] : 0;
-            if (to->normal[j]) to->normal[j][i] = found ? hit->normal[j][l] : 0;
-        }
+    const unsigned found = bits(k->hit), undecided = bits(k->undecided);
+    const lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
+    unsigned char *const state = to->state;
+    for (int l = 0; l < LANES; l++)
+        if (which >> l & 1)
+            state[w->ray[l]] = (unsigned char)(ALGSURF_LANE_HIT * (found >> l & 1) +
+                                               ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
+    if (any) return;
+    const unsigned below = bits(negative(k->at.side) & k->hit);
+    for (int l = 0; to->side && l < LANES; l++)
+        if (which >> l & 1)
+            to->side[w->ray[l]] = (signed char)((int)(found >> l & 1) - 2 * (int)(below >> l & 1));
+    for (int l = 0; to->multiplicity && l < LANES; l++)
+        if (which >> l & 1) to->multiplicity[w->ray[l]] = found >> l & 1;
+    store_lanes(to->t, choose(k->hit, hit->t, none), w, which);
+    store_lanes(to->t_lo, choose(k->hit, hit->t_lo, none), w, which);
+    store_lanes(to->t_hi, choose(k->hit, hit->t_hi, none), w, which);
+    for (int i = 0; i < 3; i++) {
+        store_lanes(to->position[i], choose(k->hit, hit->position[i], zero), w, which);
+        store_lanes(to->normal[i], choose(k->hit, hit->normal[i], zero), w, which);
     }
 }
 
@@ -198,43 +181,46 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
     return watch;
 }
 
+/* The first roots along the rays' parts; returns the lanes whose chords were searched. */
+INLINE mask search(const algsurf_i_rays_job *job, const ray_lanes *r, algsurf_i_watch *watch,
+                   chord_line *line, packet *k, int n) {
+    line->t_c = 0.5 * r->near + 0.5 * r->far;
+    line->h = 0.5 * r->far - 0.5 * r->near;
+    k->watch = watch_chord(job, r, watch);
+    k->open = r->open;
+    k->undecided = r->undecided;
+    k->hit = no_lane();
+    if (any(k->open)) set_chords(job, r, line, k);
+    const mask opened = k->open;
+    if (!any(opened)) return opened;
+    if (!job->surface->nodes)
+        decide_from_powers(job, line, k, n);
+    else
+        decide_from_nodes(job, line, k, n);
+    return opened;
+}
+
 /* Answers the lanes `given`, but those that it returns. */
 INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
-                        const algsurf_i_rays_hits *hits, int n) {
+                        const algsurf_hit_packet *hits, int n) {
     packet k;
+    chord_line line;
     algsurf_i_watch watch;
     lanes_hit hit = {.t = all_lanes(0)};
-    mask going = no_lane();
-    lanes middle = 0.5 * r->near + 0.5 * r->far, half = 0.5 * r->far - 0.5 * r->near;
-    k.watch = watch_chord(job, r, &watch);
-    k.open = r->open;
-    k.undecided = r->undecided;
-    k.hit = no_lane();
-    if (any(k.open)) {
-        chord_line line;
-        set_chords(job, r, middle, half, &line, &k);
-        mask opened = k.open;
-        if (job->surface->nodes)
-            decide_from_nodes(job, &line, &k, n);
-        else
-            decide_from_powers(job, &line, &k, n);
-        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
-        if (!job->any && any(k.hit)) {
-            lanes v;
-            refine(&k, n, ROOT_ERROR, &v);
-            find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi,
-                      hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
-        }
+    mask going = no_lane(), opened = search(job, r, &watch, &line, &k, n);
+    if (any(f->far & opened)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
+    if (!job->any && any(k.hit)) {
+        lanes v;
+        refine(&k, n, ROOT_ERROR, &v);
+        find_hits(job, r, line.t_c, line.h, 2 * v - 1, hits->t_lo || hits->t_hi,
+                  hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
     }
-    unsigned answered = bits(given & ~going);
-    if (w->listed)
-        store_listed(&k, &hit, hits, w, answered, job->any);
-    else
-        store_found(&k, &hit, hits, w->at, w->count, answered, job->any);
+    store_found(&k, &hit, hits, w, bits(given & ~going), job->any);
     return going;
 }
 
-APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
+APART void solve_rays(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
+    const size_t count = job->rays->count;
     const int n = job->surface->node_degree;
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     double scale = ldexp(1, -job->surface->unit);
@@ -242,14 +228,11 @@ APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf
     places w;
     for (size_t next = 0; next < count || list.count > 0;) {
         far_rays f;
-        if (list.count >= LANES || next == count) {
+        set_places(&w, next, count - next);
+        if (list.count >= LANES || next == count)
             take(&list, job, &w);
-        } else {
-            w.listed = 0;
-            w.at = next;
-            w.count = count - next < LANES ? (int)(count - next) : LANES;
+        else
             next += (size_t)w.count;
-        }
         ray_lanes r = load_rays(job, &w, scale);
         if (!any(r.open | r.undecided)) continue;
         mask given = r.open | r.undecided;
@@ -260,5 +243,9 @@ APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf
         if (any(going)) put(&list, &w, &f, bits(going));
     }
 }
+
+#ifndef PACKETS_OF_TWO
+const algsurf_i_rays_kernel KERNEL(algsurf_i_rays) = {.solve = solve_rays};
+#endif
 
 #endif

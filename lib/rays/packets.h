@@ -17,36 +17,25 @@ typedef struct algsurf_i_rays_job {
     const algsurf_extent *extent; /* null: all of space */
     const algsurf_plane *planes;  /* algsurf_i_plane_in_unit, of the natural one */
     int plane_count;
-    const double *origin[3], *direction[3];
-    const double *t_min, *t_max; /* null: 0, infinity */
-    const unsigned char *active; /* null: all */
-    int any;                     /* 1: whether there is a root, not where: only states are written */
-    algsurf_observer *observer;  /* of a single ray, or null */
+    const algsurf_ray_packet *rays;
+    int any;                    /* 1: whether there is a root, not where: only states are written */
+    algsurf_observer *observer; /* of a single ray, or null */
 } algsurf_i_rays_job;
 
 /* Packets of eight have surfaces up to this degree: with all degrees they would need 90 KiB of stack, more
  * than the threads of a renderer may have, and than the fastest cache. */
 #define ALGSURF_MAX_WIDE_DEGREE 24
 
-/* What is found of each ray, as in algsurf_hit; any array may be null, but state. */
-typedef struct algsurf_i_rays_hits {
-    uint8_t *state;
-    int8_t *side; /* the sign before a hit */
-    double *t, *t_lo, *t_hi, *position[3], *normal[3];
-} algsurf_i_rays_hits;
-
 typedef struct algsurf_i_rays_kernel {
-    /* Answers the active rays among the first `count`.  Of an undecided ray only the state means something.
-     */
-    void (*solve)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
+    /* Answers the active rays.  Of an undecided ray only the state means something. */
+    void (*solve)(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits);
 } algsurf_i_rays_kernel;
 
 ALGSURF_KERNEL_TABLES(rays);
 
 /* The code for the job's one ray: packets of two, of which one lane is idle. */
 typedef struct algsurf_i_ray_kernel {
-    /* As solve of the packets, for count 1. */
-    void (*first)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
+    void (*first)(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits); /* as solve of packets */
     /* The first hits, at most `most` >= 1, in order, by the caller's method (null: the first of them has the
      * bits of the packets); or -1: it is undecided.  hits has room for the surface's degree, or `most`. */
     int (*all)(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most, algsurf_hit *hits);

@@ -16,12 +16,11 @@
  * If the ray is along the plane and not cut, a is at most 2 (e_a + |t| (|b| + e_b)) and |b| at most 4 e_b;
  * with the errors of both, n.X - c < 3 e_a + 15 |t| e_b < 2^-46 s. */
 #include "../base/arithmetic.h"
-#include "planes.h"
+#include "region.h"
 
 #include <float.h>
 #include <math.h>
 
-#include "ray_impl.h"
 #include "../base/vec.h"
 
 #define ROUNDED 0x1p-50
@@ -81,39 +80,39 @@ static crossing crossing_of(const algsurf_plane *plane, const algsurf_ray *ray) 
 
 static int is_steep(const crossing *c) { return fabs(c->rise) > 4 * c->rise_error; }
 
-/* A ray along the plane: 1, it is kept between the cut's ends; -1: it is not; 0: not known. */
-static int side_along(const crossing *c, const algsurf_i_cut *cut) {
-    double far = ldexp(fmax(fabs(cut->outer_lo), fabs(cut->outer_hi)), -c->exponent);
+/* A ray along the plane: 1, it is kept between the chord's ends; -1: it is not; 0: not known. */
+static int side_along(const crossing *c, const algsurf_i_chord *chord) {
+    double far = ldexp(fmax(fabs(chord->lo), fabs(chord->hi)), -c->exponent);
     double tilt = fabs(c->rise) + c->rise_error, slack = 2 * (c->above_error + (tilt > 0 ? far * tilt : 0));
     return c->above < -slack ? 1 : c->above > slack ? -1 : 0;
 }
 
 /* What overflowed is between the largest double and infinity; what underflowed is off by 2^-1074. */
-static void narrow(const crossing *c, algsurf_i_cut *cut) {
+static void narrow(const crossing *c, algsurf_i_chord *chord) {
     double t = -c->above / c->rise;
     double off = 2 * (c->above_error + fabs(t) * c->rise_error) / fabs(c->rise) + ROUNDED * fabs(t);
     double lo = fmin(ldexp(t - off, c->exponent) - 0x1p-1073, DBL_MAX);
     double hi = fmax(ldexp(t + off, c->exponent) + 0x1p-1073, -DBL_MAX);
     if (c->rise > 0) {
-        cut->outer_hi = fmin(cut->outer_hi, hi);
-        cut->inner_hi = fmin(cut->inner_hi, lo);
+        chord->hi = fmin(chord->hi, hi);
+        chord->inner_hi = fmin(chord->inner_hi, lo);
     } else {
-        cut->outer_lo = fmax(cut->outer_lo, lo);
-        cut->inner_lo = fmax(cut->inner_lo, hi);
+        chord->lo = fmax(chord->lo, lo);
+        chord->inner_lo = fmax(chord->inner_lo, hi);
     }
 }
 
 int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsurf_ray *ray,
-                         algsurf_i_cut *cut) {
+                         algsurf_i_chord *chord) {
     for (size_t i = 0; i < count; i++) {
         const crossing c = crossing_of(planes + i, ray);
-        int side = is_steep(&c) ? 1 : side_along(&c, cut);
-        if (is_steep(&c)) narrow(&c, cut);
+        int side = is_steep(&c) ? 1 : side_along(&c, chord);
+        if (is_steep(&c)) narrow(&c, chord);
         if (side < 0) return 0;
         if (side == 0) {
-            cut->inner_lo = HUGE_VAL;
-            cut->inner_hi = -HUGE_VAL;
+            chord->inner_lo = HUGE_VAL;
+            chord->inner_hi = -HUGE_VAL;
         }
     }
-    return algsurf_i_has_points(cut->outer_lo, cut->outer_hi);
+    return algsurf_i_has_points(chord->lo, chord->hi);
 }

@@ -1,15 +1,15 @@
-/* query.c - a query is read, checked and prepared. */
+/* query.c - a query is read, checked and prepared; the tables of kernels for rays. */
 #include "../base/arithmetic.h"
-#include "query.h"
+#include "intersect_impl.h"
 
 #include <math.h>
 
 #include "../base/options.h"
 #include "../roots/watch.h"
 #include "../surface/impl.h"
-#include "own_ball.h"
-#include "planes.h"
-#include "ray_impl.h"
+
+ALGSURF_KERNEL_CHOICE(rays)
+ALGSURF_KERNEL_CHOICE(ray)
 
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options) {
@@ -60,9 +60,13 @@ static void prepare(algsurf_i_query *q, const algsurf_surface *surface, const al
     q->memory_limit = options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
     q->has_method = options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
     q->region = (algsurf_i_region){extent, options->planes, options->plane_count};
-    q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
+    q->job = (algsurf_i_rays_job){.surface = surface,
+                                  .extent = algsurf_i_without_own_ball(surface, extent, &q->wider),
+                                  .planes = q->planes,
+                                  .plane_count = (int)options->plane_count,
+                                  .observer = options->observer};
     q->fits_lanes = surface->tables && surface->unit >= -800 && surface->unit <= 800 &&
-                    extent_fits(q->extent, surface->unit) && scale_planes(q);
+                    extent_fits(q->job.extent, surface->unit) && scale_planes(q);
     if (q->fits_lanes) q->kernel = algsurf_i_kernel_find(options->kernel);
 }
 
