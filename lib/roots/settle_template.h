@@ -40,7 +40,7 @@ INLINE lanes approach_roots(const double *c, int n, words side, lanes lo, lanes 
     return a.x;
 }
 
-static void settle_roots(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
+APART void settle_roots(const algsurf_i_coefficients *p, algsurf_real_root *roots, int count) {
     double lo[LANES], hi[LANES], side[LANES], value[LANES];
     for (int at = 0; at < count; at += LANES) {
         int some = count - at < LANES ? count - at : LANES;
