@@ -77,17 +77,9 @@ algsurf_z_factor algsurf_z_factor_of(const algsurf_limb *a, int w, algsurf_limb 
 
 void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, const algsurf_z_factor *f,
                          int negate) {
-    algsurf_z_add_high_times(r, w, a, wa, f, 0, negate);
-}
-
-void algsurf_z_add_high_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
-                              const algsurf_z_factor *f, int from, int negate) {
     int minus = f->negative != (negate != 0);
-    for (int i = 0; i < f->length && i < w + from; i++) {
-        int skip = i < from ? from - i : 0;
-        if (f->limb[i] && skip < wa)
-            algsurf_z_join_product(r, w, a + skip, wa - skip, f->limb[i], i + skip - from, minus);
-    }
+    for (int i = 0; i < f->length && i < w; i++)
+        if (f->limb[i]) algsurf_z_join_product(r, w, a, wa, f->limb[i], i, minus);
 }
 
 /* ---- doubles ---- */

@@ -158,9 +158,6 @@ algsurf_z_factor algsurf_z_factor_of(const algsurf_limb *a, int w, algsurf_limb 
 /* r += a f, or r -= a f if `negate`; r and a do not overlap. */
 void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, const algsurf_z_factor *f,
                          int negate);
-/* r += floor(a f / 2^(64 from)), up to 2^64 from; or r -= that. */
-void algsurf_z_add_high_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
-                              const algsurf_z_factor *f, int from, int negate);
 
 /* |x| = m 2^e with m odd, for a finite x; m = 0 and e = 0 for 0. */
 static inline algsurf_limb algsurf_z_odd_part(double x, int *e) {

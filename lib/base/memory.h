@@ -25,7 +25,6 @@ typedef struct algsurf_memory_mark {
 /* A stack that begins with the caller's block of `words` words, and the mark of its beginning. */
 algsurf_memory_mark algsurf_memory_begin(algsurf_memory *m, uint64_t *block, size_t words, size_t limit);
 
-
 /* `words` >= 0 more words, not initialised; null when there is no memory, or the limit is reached. */
 uint64_t *algsurf_memory_take(algsurf_memory *m, size_t words);
 

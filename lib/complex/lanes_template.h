@@ -1,6 +1,6 @@
 /* lanes_template.h - discs about all complex roots of LANES polynomials, and which root is seen.
  *
- * Proof: the discs of prove.c, from p as it is evaluated in double.  A polynomial is known to an error of at
+ * Proof: the discs of discs.c, from p as it is evaluated in double.  A polynomial is known to an error of at
  * most E max(1,|z|)^n for each complex z, E = spread; so is its leading coefficient to E (Cauchy).  For every
  * polynomial within that error:
  *   |p(z_i)| <= |Horner| + (4 n + 8) u S + E max(1,|z_i|)^n + 2^-600,   S = sum |c_k| |z_i|^k:

@@ -2,11 +2,9 @@
  *
  * The sum so far is (r + i s) 2^e.  A step multiplies by z, exactly, and adds a coefficient; where the result
  * has more than w limbs its exponent rises and what is below is cut: less than 1 from each of two terms in
- * each part, less than 3 units of 2^e together.  The product's larger part is at least 2^(b + f - 3) where a
- * part of the sum has b bits and one of z has f, so that e exceeds its last bit by b + f - 1 - 64 w: two
- * limbs less than that are not computed, which is nothing beside the rest of the 3 units.  What was lost
- * before is multiplied by |z|.  The bound is a sum of products of sizes, each off by less than 8 u, n of them
- * one after the other: 2^-40 in |z| covers that. */
+ * each part, less than 3 units of 2^e together.  What was lost before is multiplied by |z|.  The bound is a
+ * sum of products of sizes, each off by less than 8 u, n of them one after the other: 2^-40 in |z| covers
+ * that. */
 #include "../base/arithmetic.h"
 #include "discs.h"
 
@@ -81,18 +79,16 @@ static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_fact
                  algsurf_scaled far, term t) {
     int64_t top = INT64_MIN, low = INT64_MAX;
     algsurf_limb *re = a->product_re, *im = a->product_im;
-    int bits = -1, wide = a->wide;
+    const int wide = a->wide;
+    int bits = -1;
     if (a->bits >= 0) {
-        int longer = x->bits > y->bits ? x->bits : y->bits, from = (a->bits + longer - 1) / 64 - a->w - 2;
-        if (from < 0) from = 0;
-        wide -= from, exponent += 64 * (int64_t)from;
         algsurf_z_zero(re, wide);
         algsurf_z_zero(im, wide);
-        algsurf_z_add_high_times(re, wide, a->re, a->w, x, from, 0);
-        algsurf_z_add_high_times(im, wide, a->re, a->w, y, from, 0);
+        algsurf_z_add_times(re, wide, a->re, a->w, x, 0);
+        algsurf_z_add_times(im, wide, a->re, a->w, y, 0);
         if (algsurf_z_sign(a->im, a->w) != 0) {
-            algsurf_z_add_high_times(re, wide, a->im, a->w, y, from, 1);
-            algsurf_z_add_high_times(im, wide, a->im, a->w, x, from, 0);
+            algsurf_z_add_times(re, wide, a->im, a->w, y, 1);
+            algsurf_z_add_times(im, wide, a->im, a->w, x, 0);
         }
         bits = bits_or_none(re, im, wide);
     }
