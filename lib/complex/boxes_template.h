@@ -12,8 +12,8 @@
  *
  * Discs.  W_i = p(z_i) / D_i, D_i = c_n prod_j (z_i - z_j): if the discs about z_i with radius n |W_i| are
  * apart, each holds one root (discs.c).  p(z_i) has doubled precision; with S = sum |c_k| |z_i|^k it is off
- * by at most 32 n (n + 2) u^2 S (iteration_template.h) and u times itself; 2^-500 covers what underflows, here and in
- * squares.  D_i takes n - 1 differences, off by u, and products, off by sqrt(5) u (Brent, Percival,
+ * by at most 32 n (n + 2) u^2 S and u times itself (iteration_template.h); 2^-500 covers what underflows, here
+ * and in squares.  D_i takes n - 1 differences, off by u, and products, off by sqrt(5) u (Brent, Percival,
  * Zimmermann 2007): 3.3 (n - 1) u in all.
  *
  * Boxes.  Root i is exactly z_i - p(z_i) / (c_n prod_j (z_i - root_j)), and root_j is off z_j by at most R,

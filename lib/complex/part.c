@@ -173,6 +173,13 @@ static int clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int m, int
     }
 }
 
+/* All values of a group are lost in the radii. */
+static int is_stuck(const algsurf_i_discs *d, int g) {
+    int stuck = 1;
+    for (int i = g; i < d->n; i++) stuck = stuck && (d->root[i].group != g || d->root[i].stuck);
+    return stuck;
+}
+
 /* Puts the m points of a group where the polygon about its middle says, if they are not about there already.
  */
 static int place(algsurf_i_discs *d, int g) {
@@ -202,10 +209,11 @@ static int place(algsurf_i_discs *d, int g) {
     int fit;
     if (!algsurf_i_start(d->m, q, m, z, &fit)) return 0;
     if (!d->p->radius && !less(by(size_of(z[m - 1]), 4), wide)) return 1;
+    const int stuck = is_stuck(d, g);
     for (int i = 0; i < d->n; i++) {
         algsurf_i_disc *root = d->root + i;
         if (root->group != g) continue;
-        root->width = w, root->known = 0, root->done = 1, root->placed = d->p->radius != NULL;
+        root->width = w, root->known = 0, root->done = 1, root->placed = (unsigned char)stuck;
         if (!algsurf_i_set_point(d->m, &root->z, &middle, *z, z->exponent - LEAST_BITS, 0)) return 0;
         z++;
     }
@@ -240,9 +248,7 @@ static int is_cluster(algsurf_i_discs *d, int g) {
     first->age = first->members > 1 && first->members == first->before ? first->age + 1 : 0;
     first->before = first->members;
     if (first->members < 2 || first->placed) return 0;
-    int stuck = 1;
-    for (int i = g; i < d->n; i++) stuck = stuck && (d->root[i].group != g || d->root[i].stuck);
-    if (first->age < PATIENCE && !stuck) return 0;
+    if (first->age < PATIENCE && !is_stuck(d, g)) return 0;
     first->age = -2 * PATIENCE;
     return 1;
 }
