@@ -6,8 +6,8 @@
  * there are as many as there are different roots: each has exactly one.  A box is at most two units in the
  * last place wide, in units of its larger part; real roots are said to be real, and others are not.
  *
- * Breaks tried, each caught: the error of cut values left out; discs far too small; boxes that are points about
- * z - W; the wrong one of two conjugates taken for a root of p. */
+ * Breaks tried, each caught: the error of cut values left out; discs far too small; boxes that are points
+ * about z - W; the wrong one of two conjugates taken for a root of p. */
 #include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
 
 #include <gmp.h>
@@ -392,6 +392,34 @@ TEST(random_ones) {
         if (mpz_sgn(p->re[n]) == 0) mpz_set_ui(p->re[n], 1);
         if (mpz_sgn(p->re[0]) == 0) mpz_set_ui(p->re[0], 1);
         judge_one("random", p, -1);
+    }
+}
+
+/* Those whose values may come from doubles, on either side of where these end: ends of 2^-700 of the largest
+ * coefficient, values of 2^900, coefficients of 53 and 54 bits. */
+TEST(borders_of_doubles) {
+    static const int spread[] = {0, 30, 300, 690, 710, 900};
+    for (int round = 0; round < 36; round++) {
+        int n = 25 + random_below(50), complex = round % 2, kind = round / 2 % 3, E = spread[round / 6];
+        poly *p = make(n);
+        for (int k = 0; k <= n; k++) {
+            double side = 2.0 * k / n - 1;
+            int up = kind == 0   ? random_below(E + 1)
+                     : kind == 1 ? (int)(E * (1 - side * side))
+                     : k < n     ? E
+                                 : 0;
+            for (int i = 0; i <= complex; i++) {
+                mpz_t *c = i ? &p->im[k] : &p->re[k];
+                mpz_set_si(*c, random_below(1 << 30));
+                mpz_mul_2exp(*c, *c, random_below(8) ? 23 : 24);
+                mpz_add_ui(*c, *c, (unsigned)random_below(1 << 23));
+                mpz_mul_2exp(*c, *c, (mp_bitcnt_t)up);
+                if (random_below(2)) mpz_neg(*c, *c);
+            }
+        }
+        if (mpz_sgn(p->re[n]) == 0) mpz_set_ui(p->re[n], 1);
+        if (mpz_sgn(p->re[0]) == 0) mpz_set_ui(p->re[0], 1);
+        judge_one("borders of doubles", p, -1);
     }
 }
 
