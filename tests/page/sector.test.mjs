@@ -17,7 +17,9 @@ async function plane({ page }) {
     await page.locator("#ray .plane").scrollIntoViewIfNeeded();
 }
 
-async function drag({ page }, handle, dx, dy) {
+async function drag(visit, handle, dx, dy) {
+    const { page } = visit;
+    await visit.settled(); /* complex space, once on, moves what is below it */
     const { x, y, width, height } = await page.locator(".wedge-grip").nth(handle).boundingBox();
     await page.mouse.move(x + width / 2, y + height / 2);
     await page.mouse.down();
