@@ -221,7 +221,10 @@ static void set_mates(algsurf_i_discs *d) {
                 d->root[i].mate = j, d->root[j].mate = i;
 }
 
-/* Values in doubles, for points that are doubles; those that suffice are known then. */
+/* Values in doubles, for points that are doubles; those that suffice are known then.  The first and the last
+ * coefficient are at least 2^-700 (propose.c), so that the sum of sizes S is at least 2^-700 max(1,|z|)^n:
+ * beside u^2 S it is nothing that underflows, or that coefficients below 2^-1000 are left out.  33 in place
+ * of 32 covers that, and the roundings of the bound. */
 static int try_doubles(algsurf_i_discs *d) {
     const algsurf_i_flat *p = d->p->flat;
     const size_t n = (size_t)d->n;
