@@ -67,7 +67,8 @@ static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
     algsurf_scaled spread, value, lost;
     algsurf_i_spread(d->p, &root->z, 0, &spread);
     for (;; root->width += root->width / 2 + 1) {
-        if (!algsurf_i_taylor(d->m, d->p, &root->z, 0, root->width, &value, &lost)) return 0;
+        if (!algsurf_i_taylor(&d->sums, d->p, &root->z, 0, root->width)) return 0;
+        value = algsurf_i_sum_head(d->sums.at), lost = d->sums.at->lost;
         algsurf_scaled most = by(lost, ENOUGH);
         if (!less(size_of(value), most) || less(most, spread)) break;
     }

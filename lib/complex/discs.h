@@ -54,13 +54,6 @@ typedef struct algsurf_i_disc {
 
 #define ALGSURF_I_ENDLESS ((algsurf_scaled){1, 0, (int64_t)1 << 46}) /* a size above all others */
 
-typedef struct algsurf_i_discs {
-    const algsurf_i_gaussian *p;
-    algsurf_memory *m;
-    int n, moved; /* degree; steps so far */
-    algsurf_i_disc *root;
-} algsurf_i_discs;
-
 /* Functions that return int give 0 when there is no memory. */
 
 /* ---- taylor.c ---- */
@@ -71,11 +64,36 @@ void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent);
 /* It is exactly that. */
 int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w);
-/* The coefficients of p(z + y) up to that of y^last, by Horner's rule on integers of w >= 2 limbs:
- * coefficient j is within the size lost[j] of value[j], radii not counted.  lost[j] is 0 where nothing was
- * cut. */
-int algsurf_i_taylor(algsurf_memory *m, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
-                     int w, algsurf_scaled *value, algsurf_scaled *lost);
+/* (re + i im) 2^exponent in w limbs each, off by the size `lost`: 0 where nothing was cut. */
+typedef struct algsurf_i_sum {
+    algsurf_limb *re, *im;
+    int w, bits; /* |re|, |im| <= 2^bits; -1: both are 0 */
+    int64_t exponent;
+    algsurf_scaled lost;
+} algsurf_i_sum;
+static inline algsurf_scaled algsurf_i_sum_head(const algsurf_i_sum *a) {
+    return algsurf_i_head(a->re, a->im, a->w, a->exponent);
+}
+/* The coefficients of p(z + y) up to that of y^last are at[0] to at[last], by Horner's rule on integers of
+ * w >= 2 limbs, radii not counted.  They stay until the next call. */
+typedef struct algsurf_i_sums {
+    algsurf_memory *m;
+    algsurf_i_sum *at;
+    algsurf_limb *room;
+    size_t limbs;
+    int last;
+} algsurf_i_sums;
+#define ALGSURF_I_NO_SUMS(memory) ((algsurf_i_sums){.m = (memory), .last = -1})
+int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                     int w);
+
+typedef struct algsurf_i_discs {
+    const algsurf_i_gaussian *p;
+    algsurf_memory *m;
+    int n, moved; /* degree; steps so far */
+    algsurf_i_disc *root;
+    algsurf_i_sums sums; /* of the last value */
+} algsurf_i_discs;
 
 /* ---- point.c ---- */
 
@@ -107,6 +125,10 @@ static inline int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point 
     if (result->exponent == 0) *result = algsurf_i_scaled_of(result->re, result->im, 0);
     return 1;
 }
+
+/* z = z - a / (factor b), cut below 2^low; y = 0 if on_axis.  What is left of `a` means nothing. */
+int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
+                                const algsurf_i_sum *b, int factor, int64_t low, int on_axis);
 
 /* ---- propose.c ---- */
 
@@ -169,8 +191,8 @@ typedef struct algsurf_i_root_on_axis {
     int width, r;
 } algsurf_i_root_on_axis;
 /* All real roots of f, which is squarefree and of a degree of at least 3, in increasing order; `at` has room
- * for the degree.  *count -1: they were not found. */
-int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at,
+ * for the degree.  *count -1: `most` sweeps did not find them. */
+int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at,
                             int *count);
 
 /* ---- answer.c ---- */

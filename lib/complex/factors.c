@@ -78,16 +78,17 @@ static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *an
 /* ---- one factor ---- */
 
 /* h is not 0 within R of z. */
-static int is_no_root(algsurf_memory *m, const algsurf_i_integers *h, const algsurf_i_point *z,
+static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const algsurf_i_point *z,
                       algsurf_scaled R, int *answer) {
-    algsurf_scaled value, lost, far = algsurf_i_scaled_join(algsurf_i_scaled_size(z->head), R, 1);
+    algsurf_scaled far = algsurf_i_scaled_join(algsurf_i_scaled_size(z->head), R, 1);
     algsurf_scaled change = algsurf_i_scaled_none();
-    if (!algsurf_i_taylor(m, &h->p, z, 0, z->w + 3, &value, &lost)) return 0;
+    if (!algsurf_i_taylor(sums, &h->p, z, 0, z->w + 3)) return 0;
     for (int k = h->p.re.degree; k > 0; k--)
         change =
             algsurf_i_scaled_join(algsurf_i_scaled_times(change, far), algsurf_i_scaled_by(h->size[k], k), 1);
-    change = algsurf_i_scaled_join(algsurf_i_scaled_times(change, R), lost, 1);
-    *answer = algsurf_i_scaled_less(algsurf_i_scaled_by(change, 1 + 0x1p-20), algsurf_i_scaled_size(value));
+    change = algsurf_i_scaled_join(algsurf_i_scaled_times(change, R), sums->at->lost, 1);
+    *answer = algsurf_i_scaled_less(algsurf_i_scaled_by(change, 1 + 0x1p-20),
+                                    algsurf_i_scaled_size(algsurf_i_sum_head(sums->at)));
     return 1;
 }
 
@@ -105,8 +106,8 @@ static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *done) {
         step.re = -step.re, step.im = -step.im;
         if (!algsurf_i_set_point(d->m, &z, &root->z, step, unit.exponent, 0)) return 0;
         R = algsurf_i_scaled_join(R, algsurf_i_scaled_by(unit, 4), 1);
-        if (!is_no_root(d->m, h, &z, R, &is_out)) return 0;
-        if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(d->m, h, &z, R, &mate_is_out)) return 0;
+        if (!is_no_root(&d->sums, h, &z, R, &is_out)) return 0;
+        if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(&d->sums, h, &z, R, &mate_is_out)) return 0;
         root->left_out = (unsigned char)is_out;
         *done = is_out != mate_is_out;
     }

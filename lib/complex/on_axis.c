@@ -67,7 +67,7 @@ static int compare(algsurf_i_discs *d, int i, int j, int *sign) {
 }
 
 /* f_0 is not 0. */
-static int find(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at, int *count) {
+static int find(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at, int *count) {
     algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
     algsurf_i_discs d;
     int open, corrections = 0, n = f->degree, *order = algsurf_i_take(m, (size_t)n * sizeof *order);
@@ -75,8 +75,7 @@ static int find(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axi
     *count = -1;
     if (!order || !start || !algsurf_i_make_heads(m, &z)) return 0;
     if (!algsurf_i_propose(m, &z, NULL, start, &corrections)) return 0;
-    if (!algsurf_i_discs_begin(&d, m, &z.p, start) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
-        return 0;
+    if (!algsurf_i_discs_begin(&d, m, &z.p, start) || !algsurf_i_discs_run(&d, most, &open)) return 0;
     int found = 0, sign, done = open == 0;
     for (int i = 0; i < n && done; i++) {
         int real, k = found;
@@ -96,12 +95,12 @@ static int find(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axi
     return 1;
 }
 
-int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, algsurf_i_root_on_axis *at,
+int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at,
                             int *count) {
-    if (algsurf_z_sign(f->c, f->width) != 0) return find(m, f, at, count);
+    if (algsurf_z_sign(f->c, f->width) != 0) return find(m, f, most, at, count);
     const algsurf_zpoly rest = {f->degree - 1, f->width, algsurf_zpoly_at(f, 1)};
     algsurf_limb *zero = algsurf_memory_take(m, 1);
-    if (!zero || !find(m, &rest, at, count)) return 0;
+    if (!zero || !find(m, &rest, most, at, count)) return 0;
     if (*count < 0) return 1;
     int below = 0; /* no interval has 0 inside, or none could be narrow */
     while (below < *count && algsurf_z_negative(at[below].a, at[below].width)) below++;

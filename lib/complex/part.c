@@ -66,7 +66,7 @@ static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
 int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
                           const algsurf_scaled *z) {
     const size_t bytes = (size_t)p->re.degree * sizeof *d->root;
-    *d = (algsurf_i_discs){.p = p, .m = m, .n = p->re.degree};
+    *d = (algsurf_i_discs){.p = p, .m = m, .n = p->re.degree, .sums = ALGSURF_I_NO_SUMS(m)};
     d->root = algsurf_i_take(m, bytes);
     algsurf_scaled *paired = algsurf_i_take(m, (size_t)d->n * sizeof *paired);
     if (!d->root || !paired) return 0;
@@ -162,14 +162,13 @@ static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_s
                                wide->exponent - LEAST_BITS, on_axis);
 }
 
-/* Taylor's coefficients about z in q, their errors in lost; that of 1 known well, or lost in the radii. */
-static int clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int m, int *w, algsurf_scaled *q,
-                        algsurf_scaled *lost, algsurf_scaled *spread) {
+/* Taylor's coefficients about z; that of 1 known well, or lost in the radii. */
+static int clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int m, int *w, algsurf_scaled *spread) {
     algsurf_i_spread(d->p, z, m, spread);
     for (;; *w += *w / 2 + 1) {
-        if (!algsurf_i_taylor(d->m, d->p, z, m, *w, q, lost)) return 0;
-        algsurf_scaled first = by(lost[0], CLEAR);
-        if (!less(size_of(q[0]), first) || less(first, spread[0])) return 1;
+        if (!algsurf_i_taylor(&d->sums, d->p, z, m, *w)) return 0;
+        algsurf_scaled first = by(d->sums.at->lost, CLEAR);
+        if (!less(size_of(algsurf_i_sum_head(d->sums.at)), first) || less(first, spread[0])) return 1;
     }
 }
 
@@ -187,21 +186,23 @@ static int place(algsurf_i_discs *d, int g) {
     int w = d->root[g].width;
     algsurf_i_point middle = {.room = 0};
     algsurf_scaled wide, away;
-    algsurf_scaled *q = algsurf_i_take(d->m, 4 * (size_t)(m + 1) * sizeof *q);
+    algsurf_scaled *q = algsurf_i_take(d->m, 3 * (size_t)(m + 1) * sizeof *q);
     if (!q || !mean_of(d, g, &middle, &wide, &away)) return 0;
     if (!less(by(wide, 16), away)) return 1;
-    algsurf_scaled *lost = q + m + 1, *spread = lost + m + 1, *z = spread + m + 1;
+    algsurf_scaled *spread = q + m + 1, *z = spread + m + 1;
     for (int k = 0; k < MIDDLE_STEPS; k++) {
-        if (!clear_taylor(d, &middle, m, &w, q, lost, spread)) return 0;
+        if (w < 2 * middle.w + 2) w = 2 * middle.w + 2;
+        if (!clear_taylor(d, &middle, m, &w, spread)) return 0;
+        algsurf_i_sum *c = d->sums.at;
+        for (int j = 0; j <= m; j++) q[j] = algsurf_i_sum_head(c + j);
         if (is_zero(q[m])) return 1;
         algsurf_scaled shift = over(q[m - 1], by(q[m], m));
         int64_t reach = (sum(size_of(q[0]), spread[0]).exponent - q[m].exponent) / m;
         if (is_zero(shift) || shift.exponent < reach - 4) break;
-        int64_t gain =
-            (less(away, ALGSURF_I_ENDLESS) ? away.exponent : middle.head.exponent) - shift.exponent;
+        int64_t gain = (less(away, ALGSURF_I_ENDLESS) ? away : middle.head).exponent - shift.exponent;
         int64_t low = shift.exponent - LEAST_BITS - (gain > 0 ? gain : 0);
-        if (!algsurf_i_set_point(d->m, &middle, &middle, negative(shift), low,
-                                 middle.above.re == 0 && d->p->real))
+        if (!algsurf_i_subtract_quotient(d->m, &middle, c + m - 1, c + m, m, low,
+                                         middle.above.re == 0 && d->p->real))
             return 0;
     }
     for (int j = 0; j <= m; j++) q[j] = sum(size_of(q[j]), j < m ? spread[j] : algsurf_i_scaled_none());

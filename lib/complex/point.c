@@ -87,6 +87,38 @@ int algsurf_i_set_conjugate(algsurf_memory *m, algsurf_i_point *z, const algsurf
     return 1;
 }
 
+/* a -= (x + iy) b 2^shift. */
+static void subtract_product(algsurf_i_sum *a, const algsurf_i_sum *b, int64_t x, int64_t y, int64_t shift,
+                             algsurf_limb *room) {
+    const int w = b->w + 1;
+    const algsurf_limb *part[2] = {b->re, b->im};
+    const int64_t by[2] = {x, y};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            int minus = (by[j] < 0) != !(i && j);
+            algsurf_z_zero(room, w);
+            algsurf_z_join_product(room, w, part[i], b->w, (algsurf_limb)llabs(by[j]), 0, minus);
+            algsurf_i_add_shifted(i == j ? a->re : a->im, a->w, room, w, shift);
+        }
+}
+
+/* Chunks of the quotient by doubles, what is left by integers, until that is no less. */
+int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
+                                const algsurf_i_sum *b, int factor, int64_t low, int on_axis) {
+    const algsurf_scaled divisor = algsurf_i_scaled_by(algsurf_i_sum_head(b), factor);
+    algsurf_limb *room = algsurf_memory_take(m, (size_t)b->w + 1);
+    if (!room) return 0;
+    for (int64_t before = INT64_MAX;;) {
+        algsurf_scaled way = algsurf_i_scaled_over(algsurf_i_sum_head(a), divisor);
+        if (way.exponent < low || way.exponent >= before) return 1;
+        int64_t x = (int64_t)(way.re * 0x1p50), y = (int64_t)(way.im * 0x1p50);
+        before = way.exponent;
+        way.re = -(double)x * 0x1p-50, way.im = -(double)y * 0x1p-50;
+        if (!algsurf_i_set_point(m, z, z, way, low, on_axis)) return 0;
+        subtract_product(a, b, factor * x, factor * y, before - 50 + b->exponent - a->exponent, room);
+    }
+}
+
 int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b) {
     if (a->head.re != b->head.re || a->head.im != -b->head.im || a->exponent != b->exponent || a->w != b->w)
         return 0;

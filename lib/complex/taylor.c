@@ -1,4 +1,4 @@
-/* taylor.c - p(z) by Horner's rule on integers that are cut to w limbs.
+/* taylor.c - p(z) and its Taylor coefficients, by Horner's rule on integers that are cut to w limbs.
  *
  * The sum so far is (r + i s) 2^e.  A step multiplies by z, exactly, and adds a coefficient; where the result
  * has more than w limbs its exponent rises and what is below is cut: less than 1 from each of two terms in
@@ -61,44 +61,44 @@ typedef struct term {
     algsurf_scaled lost;
 } term;
 
-/* A sum of Horner's rule in w limbs, and its product with z, in `wide` ones. */
-typedef struct accumulator {
-    algsurf_limb *re, *im, *product_re, *product_im;
-    int w, wide, bits; /* of the sum; -1: 0 */
+/* What a sum is multiplied by, and room for the product. */
+typedef struct multiplier {
+    algsurf_z_factor x, y;
     int64_t exponent;
-    algsurf_scaled lost;
-} accumulator;
+    algsurf_scaled far; /* |z|, rounded up */
+    algsurf_limb *re, *im;
+    int wide;
+} multiplier;
 
 static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
     if (algsurf_z_sign(x, w) == 0 && algsurf_z_sign(y, w) == 0) return -1;
     return bits_of(x, y, w);
 }
 
-/* sum = sum z + t. */
-static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_factor *y, int64_t exponent,
-                 algsurf_scaled far, term t) {
-    int64_t top = INT64_MIN, low = INT64_MAX;
-    algsurf_limb *re = a->product_re, *im = a->product_im;
-    const int wide = a->wide;
-    int bits = -1;
-    if (a->bits >= 0) {
-        algsurf_z_zero(re, wide);
-        algsurf_z_zero(im, wide);
-        algsurf_z_add_times(re, wide, a->re, a->w, x, 0);
-        algsurf_z_add_times(im, wide, a->re, a->w, y, 0);
-        if (algsurf_z_sign(a->im, a->w) != 0) {
-            algsurf_z_add_times(re, wide, a->im, a->w, y, 1);
-            algsurf_z_add_times(im, wide, a->im, a->w, x, 0);
-        }
-        bits = bits_or_none(re, im, wide);
+/* The product of a sum that is not 0 with z; its bits. */
+static int multiply(const algsurf_i_sum *a, const multiplier *z) {
+    const int wide = z->wide;
+    algsurf_z_zero(z->re, wide);
+    algsurf_z_zero(z->im, wide);
+    algsurf_z_add_times(z->re, wide, a->re, a->w, &z->x, 0);
+    algsurf_z_add_times(z->im, wide, a->re, a->w, &z->y, 0);
+    if (algsurf_z_sign(a->im, a->w) != 0) {
+        algsurf_z_add_times(z->re, wide, a->im, a->w, &z->y, 1);
+        algsurf_z_add_times(z->im, wide, a->im, a->w, &z->x, 0);
     }
-    exponent += a->exponent;
+    return bits_or_none(z->re, z->im, wide);
+}
+
+/* sum = sum z + t. */
+static void step(algsurf_i_sum *a, const multiplier *z, term t) {
+    int64_t top = INT64_MIN, low = INT64_MAX, exponent = a->exponent + z->exponent;
+    const int bits = a->bits >= 0 ? multiply(a, z) : -1;
     if (bits >= 0) top = exponent + bits, low = exponent;
     if (t.bits >= 0) {
         top = top > t.exponent + t.bits ? top : t.exponent + t.bits;
         low = low < t.exponent ? low : t.exponent;
     }
-    if (!algsurf_i_scaled_is_zero(a->lost)) a->lost = algsurf_i_scaled_times(a->lost, far);
+    if (!algsurf_i_scaled_is_zero(a->lost)) a->lost = algsurf_i_scaled_times(a->lost, z->far);
     if (!algsurf_i_scaled_is_zero(t.lost)) a->lost = algsurf_i_scaled_join(a->lost, t.lost, 1);
     algsurf_z_zero(a->re, a->w);
     algsurf_z_zero(a->im, a->w);
@@ -107,8 +107,8 @@ static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_fact
     int64_t e = top + 2 - 64 * (int64_t)a->w;
     a->exponent = e = e < low ? low : e;
     if (bits >= 0) {
-        algsurf_i_add_shifted(a->re, a->w, re, wide, exponent - e);
-        algsurf_i_add_shifted(a->im, a->w, im, wide, exponent - e);
+        algsurf_i_add_shifted(a->re, a->w, z->re, z->wide, exponent - e);
+        algsurf_i_add_shifted(a->im, a->w, z->im, z->wide, exponent - e);
     }
     if (t.bits >= 0) {
         algsurf_i_add_shifted(a->re, a->w, t.re, t.w, t.exponent - e);
@@ -118,35 +118,40 @@ static void step(accumulator *a, const algsurf_z_factor *x, const algsurf_z_fact
     if (e > low) a->lost = algsurf_i_scaled_join(a->lost, algsurf_i_scaled_of(3, 0, e), 1);
 }
 
-int algsurf_i_taylor(algsurf_memory *m, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
-                     int w, algsurf_scaled *value, algsurf_scaled *lost) {
+/* Room for `last` + 1 sums; what is too small is left to the memory's end. */
+static int make_room(algsurf_i_sums *s, int last, size_t limbs) {
+    if (last > s->last) {
+        s->at = algsurf_i_take(s->m, (size_t)(last + 1) * sizeof *s->at);
+        if (!s->at) return 0;
+        s->last = last;
+    }
+    if (limbs > s->limbs) {
+        s->limbs = limbs + limbs / 2;
+        s->room = algsurf_memory_take(s->m, s->limbs);
+    }
+    return s->room != NULL;
+}
+
+int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                     int w) {
     const int wide = w + z->w;
-    const size_t each = 2 * (size_t)w + 2 * (size_t)wide;
-    algsurf_memory_mark mark = algsurf_memory_here(m);
-    accumulator *a = algsurf_i_take(m, (size_t)(last + 1) * sizeof *a);
-    algsurf_limb *room = algsurf_memory_take(m, (size_t)(last + 1) * each + 2 * (size_t)z->w);
-    if (!a || !room) return 0;
-    algsurf_z_factor x = algsurf_z_factor_of(z->x, z->w, room),
-                     y = algsurf_z_factor_of(z->y, z->w, room + z->w);
-    algsurf_scaled far = algsurf_i_scaled_size(z->head);
-    far.re *= 1 + 0x1p-40;
-    room += 2 * z->w;
-    for (int j = 0; j <= last; j++, room += each)
-        a[j] = (accumulator){room, room + w, room + 2 * w,           room + 2 * w + wide, w, wide,
-                             -1,   0,        algsurf_i_scaled_none()};
+    if (!make_room(s, last, 2 * ((size_t)(last + 1) * (size_t)w + (size_t)wide + (size_t)z->w))) return 0;
+    algsurf_limb *room = s->room;
+    multiplier by = {.exponent = z->exponent, .far = algsurf_i_scaled_size(z->head), .wide = wide};
+    by.x = algsurf_z_factor_of(z->x, z->w, room), room += z->w;
+    by.y = algsurf_z_factor_of(z->y, z->w, room), room += z->w;
+    by.re = room, by.im = room + wide, room += 2 * wide;
+    by.far.re *= 1 + 0x1p-40;
+    for (int j = 0; j <= last; j++, room += 2 * w)
+        s->at[j] = (algsurf_i_sum){room, room + w, w, -1, 0, algsurf_i_scaled_none()};
     for (int k = p->re.degree; k >= 0; k--) {
         for (int j = last; j > 0; j--) {
-            const accumulator *b = a + j - 1;
-            step(a + j, &x, &y, z->exponent, far, (term){b->re, b->im, w, b->bits, b->exponent, b->lost});
+            const algsurf_i_sum *b = s->at + j - 1;
+            step(s->at + j, &by, (term){b->re, b->im, w, b->bits, b->exponent, b->lost});
         }
-        step(a, &x, &y, z->exponent, far,
+        step(s->at, &by,
              (term){algsurf_zpoly_at(&p->re, k), p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL, p->re.width,
                     p->bits[k], 0, algsurf_i_scaled_none()});
     }
-    for (int j = 0; j <= last; j++) {
-        value[j] = algsurf_i_head(a[j].re, a[j].im, w, a[j].exponent);
-        lost[j] = a[j].lost;
-    }
-    algsurf_memory_release(m, mark);
     return 1;
 }

@@ -12,8 +12,10 @@
 
 /* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three.  Discs
  * about all roots cost as many as it takes to get so far, from degree 32 on, since numbers grow by a bit a
- * degree with each. */
-enum { ASK_AFTER = 5, ZOOM_AFTER = 2, LIST_AFTER = 40, LIST_DEGREE = 32 };
+ * degree with each.  Where numbers are long from the start, a piece costs as much as discs that doubles
+ * nearly have: these are tried before the second one. */
+enum { ASK_AFTER = 5, ZOOM_AFTER = 2, LIST_AFTER = 24, LIST_DEGREE = 32 };
+enum { LONG_WIDTH = 16, LONG_DEGREE = 128, FEW_SWEEPS = 8 };
 
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine, const algsurf_i_watch *watch) {
@@ -52,16 +54,20 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
 
 /* ---- all roots at once ---- */
 
-/* All roots as a list, if discs have them, and next the one that the walk has come to: -1: no memory; 1: the
- * list goes on.  Those that are left of lo, or have been given, are passed over here as far as their places
- * show it. */
-static int list_roots(algsurf_exact_walk *walk) {
+/* All roots as a list, if discs have them after `sweeps` of these, and next the one that the walk has come
+ * to: -1: no memory; 1: the list goes on.  Those that are left of lo, or have been given, are passed over
+ * here as far as their places show it. */
+static int list_roots(algsurf_exact_walk *walk, int sweeps) {
     const algsurf_zpoly *f = walked(walk);
+    algsurf_memory_mark mark = algsurf_memory_here(walk->memory);
     walk->listed = algsurf_i_take(walk->memory, (size_t)f->degree * sizeof *walk->listed);
     walk->list_length = -1;
-    if (!walk->listed || !algsurf_i_roots_on_axis(walk->memory, f, walk->listed, &walk->list_length))
+    if (!walk->listed || !algsurf_i_roots_on_axis(walk->memory, f, sweeps, walk->listed, &walk->list_length))
         return -1;
-    if (walk->list_length < 0) return 0;
+    if (walk->list_length < 0) {
+        algsurf_memory_release(walk->memory, mark);
+        return 0;
+    }
     walk->skip = walk->given;
     for (; walk->next < walk->list_length; walk->next++) {
         const algsurf_i_root_on_axis *at = walk->listed + walk->next;
@@ -181,8 +187,9 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             int answer = ask_for_squares(walk);
             if (answer) return answer < 0 ? -1 : 0;
         }
-        if (!walk->listed && cell->b.degree >= LIST_DEGREE && cell->depth >= LIST_AFTER) {
-            int answer = list_roots(walk);
+        if (!walk->gave_up && cell->b.degree >= LIST_DEGREE && cell->depth >= LIST_AFTER) {
+            int answer = list_roots(walk, ALGSURF_I_MOST_SWEEPS);
+            walk->gave_up = !answer;
             if (answer) return answer < 0 ? -1 : next_listed(walk, root);
         }
         same = v == before ? same + 1 : 0;
@@ -226,6 +233,15 @@ static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         int piece = algsurf_exact_pieces_next(&walk->pieces, &walk->piece);
         if (piece == ALGSURF_EXACT_ZERO) return root_at_zero(walk, root) ? 1 : -1;
         if (piece == ALGSURF_EXACT_NO_PIECE) return 0;
+        if (++walk->opened == 2 && walk->p.degree >= LONG_DEGREE && walk->p.width >= LONG_WIDTH) {
+            int answer = walk->asked ? 0 : ask_for_squares(walk);
+            if (answer == 0) answer = list_roots(walk, FEW_SWEEPS);
+            if (answer < 0) return -1;
+            if (answer) {
+                walk->opened = 1; /* it begins again, or there is a list */
+                continue;
+            }
+        }
         if (!algsurf_exact_cells_open(&walk->cells, walked(walk), walk->unit, &walk->piece)) return -1;
     }
 }

@@ -99,6 +99,7 @@ typedef struct algsurf_exact_walk {
     int asked;                 /* 1: p is squarefree, or parts are there */
     int parts;                 /* 0: p itself is walked; else members of s */
     algsurf_zpoly *s;          /* s[0] is walked */
+    int opened, gave_up;       /* how many pieces; discs do not have the roots */
     int given, skip;           /* roots so far; of those to be passed over again */
     algsurf_exact_cells cells; /* of the piece */
     int used_up;               /* the cell's root has been reported */
