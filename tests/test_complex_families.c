@@ -8,108 +8,14 @@
  *
  * Breaks tried, each caught: the error of cut values left out; discs far too small; boxes that are points
  * about z - W; the wrong one of two conjugates taken for a root of p. */
-#include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
-
-#include <gmp.h>
-
-#include "algsurf/algsurf.h"
-#include "unit.h"
-
-enum { MOST = ALGSURF_MAX_POLY_DEGREE, BITS = 4096 };
-
-/* Gaussian integers. */
-typedef struct poly {
-    int degree;
-    mpz_t re[MOST + 1], im[MOST + 1];
-} poly;
-
-static poly *make(int degree) {
-    poly *p = malloc(sizeof *p);
-    assert_non_null(p);
-    p->degree = degree;
-    for (int k = 0; k <= MOST; k++) mpz_inits(p->re[k], p->im[k], NULL);
-    return p;
-}
-
-static void drop(poly *p) {
-    for (int k = 0; k <= MOST; k++) mpz_clears(p->re[k], p->im[k], NULL);
-    free(p);
-}
-
-static poly *product(const poly *a, const poly *b) {
-    poly *p = make(a->degree + b->degree);
-    for (int i = 0; i <= a->degree; i++)
-        for (int k = 0; k <= b->degree; k++) {
-            mpz_addmul(p->re[i + k], a->re[i], b->re[k]), mpz_submul(p->re[i + k], a->im[i], b->im[k]);
-            mpz_addmul(p->im[i + k], a->re[i], b->im[k]), mpz_addmul(p->im[i + k], a->im[i], b->re[k]);
-        }
-    return p;
-}
-
-/* p times (d z - (a + ib)). */
-static poly *times_root(poly *p, long a, long b, long d) {
-    poly *f = make(1);
-    mpz_set_si(f->re[1], d), mpz_set_si(f->re[0], -a), mpz_set_si(f->im[0], -b);
-    poly *q = product(p, f);
-    drop(f), drop(p);
-    return q;
-}
-
-static int is_real(const poly *p) {
-    for (int k = 0; k <= p->degree; k++)
-        if (mpz_sgn(p->im[k])) return 0;
-    return 1;
-}
+#include "integer_polys.h"
 
 /* ---- the judge ---- */
-
-typedef struct number {
-    mpf_t re, im;
-} number;
-
-static number x, y, v, d, t;
-
-static void times(number *a, const number *b) {
-    mpf_mul(t.re, a->re, b->re), mpf_mul(t.im, a->im, b->im), mpf_sub(t.re, t.re, t.im);
-    mpf_mul(t.im, a->re, b->im), mpf_mul(a->im, a->im, b->re), mpf_add(a->im, a->im, t.im);
-    mpf_set(a->re, t.re);
-}
-
-/* |a|^2 as part 2^exponent. */
-static double square(const number *a, long *exponent) {
-    mpf_mul(t.re, a->re, a->re), mpf_mul(t.im, a->im, a->im), mpf_add(t.re, t.re, t.im);
-    return mpf_get_d_2exp(exponent, t.re);
-}
-
-/* v = p(x), d = p'(x). */
-static void values(const poly *p) {
-    mpf_set_ui(v.re, 0), mpf_set_ui(v.im, 0), mpf_set_ui(d.re, 0), mpf_set_ui(d.im, 0);
-    for (int k = p->degree; k >= 0; k--) {
-        times(&d, &x), mpf_add(d.re, d.re, v.re), mpf_add(d.im, d.im, v.im);
-        times(&v, &x);
-        mpf_set_z(y.re, p->re[k]), mpf_set_z(y.im, p->im[k]);
-        mpf_add(v.re, v.re, y.re), mpf_add(v.im, v.im, y.im);
-    }
-}
-
-/* One step of Newton's method from x; returns log2 of |p/p'|. */
-static double step(const poly *p) {
-    long a, b;
-    values(p);
-    double up = square(&v, &a), down = square(&d, &b);
-    if (up == 0) return -1e6;
-    if (down == 0) return 1e6;
-    mpf_mul(y.re, d.re, d.re), mpf_mul(y.im, d.im, d.im), mpf_add(y.re, y.re, y.im);
-    mpf_neg(d.im, d.im), times(&v, &d);
-    mpf_div(v.re, v.re, y.re), mpf_div(v.im, v.im, y.re);
-    mpf_sub(x.re, x.re, v.re), mpf_sub(x.im, x.im, v.im);
-    return 0.5 * ((double)(a - b) + log2(up / down));
-}
 
 /* x is within 2^log of a root: is that in the interval? */
 static int is_in(const mpf_t a, double log, algsurf_interval box) {
     mpf_t end, by;
-    mpf_init2(end, BITS), mpf_init2(by, BITS);
+    mpf_init2(end, mpf_get_prec(a)), mpf_init2(by, mpf_get_prec(a));
     mpf_set_ui(by, 1);
     long e = (long)floor(log) + 1;
     if (e < 0)
@@ -133,7 +39,7 @@ static int has_root(const poly *p, const algsurf_complex_root *e) {
         log = step(p) + log2(p->degree) + 1;
         if (k > 8 && log > before) break;
         before = log;
-        if (log < enough - 500) break;
+        if (log < enough) break;
     }
     return log < enough && is_in(x.re, log + 1, e->box.re) && is_in(x.im, log + 1, e->box.im);
 }
@@ -147,11 +53,6 @@ static double ulps(algsurf_interval part, double size) {
 }
 
 enum { FACTORS = 4 };
-
-static void integers(mpz_t *c, int n, algsurf_integer *z) {
-    for (int k = 0; k <= n; k++)
-        z[k] = (algsurf_integer){mpz_limbs_read(c[k]), mpz_sgn(c[k]) * (int)mpz_size(c[k])};
-}
 
 /* The roots of the product of factors f[i]^m[i], squarefree and without common roots, which is p; `real`: how
  * many different real ones there are, -1: not known. */
@@ -193,104 +94,61 @@ static void judge_one(const char *name, poly *p, int real) {
 
 /* ---- families ---- */
 
-/* c_(k+1) = (a z + b) c_k - c c_(k-1), from 1 and z's multiple. */
-static poly *recurrence(int n, long (*a)(int), long (*b)(int), long (*c)(int)) {
-    poly *before = make(0), *p = make(0);
-    mpz_set_ui(p->re[0], 1);
-    for (int k = 0; k < n; k++) {
-        poly *next = make(k + 1);
-        for (int i = 0; i <= k; i++) {
-            mpz_t w;
-            mpz_init(w);
-            mpz_mul_si(w, p->re[i], a(k)), mpz_add(next->re[i + 1], next->re[i + 1], w);
-            mpz_mul_si(w, p->re[i], b(k)), mpz_add(next->re[i], next->re[i], w);
-            if (i < k) mpz_mul_si(w, before->re[i], c(k)), mpz_sub(next->re[i], next->re[i], w);
-            mpz_clear(w);
-        }
-        drop(before);
-        before = p, p = next;
-    }
-    drop(before);
-    return p;
-}
-
-static long one(int k) { return k ? 2 : 1; }
-static long two(int k) {
-    (void)k;
-    return 2;
-}
-static long none(int k) {
-    (void)k;
-    return 0;
-}
-static long unit(int k) {
-    (void)k;
-    return 1;
-}
-static long twice(int k) { return 2L * k; }
-static long minus(int k) {
-    (void)k;
-    return -1;
-}
-static long odd(int k) { return 2L * k + 1; }
-static long squared(int k) { return (long)k * k; }
-
-TEST(orthogonal) {
-    for (int n = 3; n <= 130; n = n * 2 + 1) {
-        judge_one("Chebyshev", recurrence(n, one, none, unit), n);
-        judge_one("Hermite", recurrence(n, two, none, twice), n);
-        judge_one("Laguerre", recurrence(n, minus, odd, squared), n);
+/* Degrees to 320 in fewer bits: roots are 2^-20 apart. */
+TEST(orthogonal_ones) {
+    static const int degree[] = {3, 7, 15, 31, 63, 127, 160, 320};
+    for (int i = 0; i < 8; i++) {
+        const int n = degree[i];
+        set_precision(n > 160 ? 1024 : 2048);
+        judge_one("Chebyshev", orthogonal(CHEBYSHEV, n), n);
+        if (n > 160) continue;
+        judge_one("Legendre", legendre(n), n);
+        judge_one("Hermite", orthogonal(HERMITE, n), n);
+        judge_one("Laguerre", orthogonal(LAGUERRE, n), n);
     }
 }
 
-TEST(wilkinson) {
-    for (int n = 10; n <= 80; n *= 2) {
-        poly *p = make(0), *q = make(0);
-        mpz_set_ui(p->re[0], 1), mpz_set_ui(q->re[0], 1);
-        for (int k = 1; k <= n; k++) p = times_root(p, k, 0, 1), q = times_root(q, k, (k * 7) % 5 - 2, 1);
-        judge_one("Wilkinson", p, n);
+TEST(wilkinsons) {
+    for (int n = 10; n <= 160; n *= 2) {
+        poly *q = make(0);
+        mpz_set_ui(q->re[0], 1);
+        for (int k = 1; k <= n && n < 160; k++) q = times_root(q, k, (k * 7) % 5 - 2, 1);
+        set_precision(2048);
+        judge_one("Wilkinson", wilkinson(n), n);
         judge_one("Wilkinson's, some of them complex", q, -1);
     }
 }
 
 TEST(sparse) {
-    for (int n = 5; n <= 400; n = n * 3 + 2) {
-        poly *p = make(n), *q = make(n), *exponential = make(n < 160 ? n : 160);
+    static const int degree[] = {5, 17, 53, 161, 512};
+    for (int i = 0; i < 5; i++) {
+        const int n = degree[i];
+        poly *p = make(n), *q = make(n);
         mpz_set_ui(p->re[n], 1), mpz_set_si(p->re[0], -1);
         mpz_set_ui(q->re[n], 1), mpz_set_si(q->im[0], -1);
-        mpz_set_ui(exponential->re[exponential->degree], 1);
-        for (int k = exponential->degree; k > 0; k--)
-            mpz_mul_si(exponential->re[k - 1], exponential->re[k], k);
+        set_precision(512);
         judge_one("z^n - 1", p, n % 2 ? 1 : 2);
         judge_one("z^n - i", q, -1);
-        judge_one("exp", exponential, exponential->degree % 2);
+        set_precision(1024);
+        if (n < 200) judge_one("exp", exponential(n), n % 2);
     }
 }
 
-/* z -> z^2 + c, as a polynomial in c. */
-TEST(mandelbrot) {
-    poly *p = make(0);
-    mpz_set_ui(p->re[0], 1);
-    for (int k = 1; k <= 6; k++) {
-        poly *q = product(p, p), *next = make(q->degree + 1);
-        for (int i = 0; i <= q->degree; i++) mpz_set(next->re[i + 1], q->re[i]);
-        mpz_add_ui(next->re[0], next->re[0], 1);
-        drop(p), drop(q);
-        p = next;
+TEST(mandelbrots) {
+    for (int k = 5; k <= 9; k++) { /* degrees 15 to 255 */
+        set_precision(1024);
+        judge_one("Mandelbrot", mandelbrot(k), -1);
     }
-    judge_one("Mandelbrot", p, -1);
 }
 
-/* Two real roots about 2 a^-(n/2+1) apart, at 1/a; a pair of complex ones. */
+/* Pairs of real roots, and of complex ones. */
 TEST(close_pairs) {
+    set_precision(4096);
     for (int n = 8; n <= 128; n *= 4)
         for (long a = 3; a <= (1L << 26) + 1; a = a * 4096 + 1) {
             double gap = -(n / 2.0 + 1) * log2((double)a) + log2((double)a);
             if (gap < -51) continue; /* doubles do not tell them apart */
-            poly *p = make(n);
-            mpz_set_ui(p->re[n], 1);
-            mpz_set_si(p->re[0], -1), mpz_set_si(p->re[1], 2 * a), mpz_set_si(p->re[2], -a * a);
-            judge_one("Mignotte", p, -1);
+            judge_one("Mignotte", mignotte(n, a), -1);
         }
     for (int n = 20; n <= 200; n *= 10) { /* 1 + t^(n-2) (t + 20000)^2 */
         poly *p = make(n);
@@ -309,6 +167,16 @@ TEST(close_pairs) {
             count, n == 20 ? n : n - 1); /* 20000^-99 is no double: the pair is one box, across the axis */
         assert_int_equal(sum, n);
         drop(p);
+    }
+}
+
+/* (c^2 z^2 - 3)^2 + c^2 z^9 (Kameny): two pairs of complex roots about c^-4.5 apart. */
+TEST(kameny) {
+    for (long c = 10; c <= 1000; c *= 10) {
+        poly *p = make(9);
+        mpz_set_ui(p->re[0], 9), mpz_set_si(p->re[2], -6 * c * c), mpz_set_si(p->re[4], c * c * c * c);
+        mpz_set_si(p->re[9], c * c);
+        judge_one("Kameny", p, -1);
     }
 }
 
@@ -342,13 +210,6 @@ TEST(geometric) {
     }
 }
 
-static uint64_t seed = 20261126;
-
-static int random_below(int n) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return (int)(seed >> 33) % n;
-}
-
 /* Products with multiplicities, of real and of Gaussian factors, which may share roots with their conjugates.
  */
 TEST(multiple) {
@@ -379,6 +240,7 @@ TEST(multiple) {
 
 /* Dense ones, of integers of very different sizes. */
 TEST(random_ones) {
+    set_precision(2048);
     for (int round = 0; round < 12; round++) {
         int n = round % 3 == 2 ? 200 : 20 + random_below(40), complex = round % 2;
         poly *p = make(n);
@@ -398,6 +260,7 @@ TEST(random_ones) {
 /* Those whose values may come from doubles, on either side of where these end: ends of 2^-700 of the largest
  * coefficient, values of 2^900, coefficients of 53 and 54 bits. */
 TEST(borders_of_doubles) {
+    set_precision(2048);
     static const int spread[] = {0, 30, 300, 690, 710, 900};
     for (int round = 0; round < 36; round++) {
         int n = 25 + random_below(50), complex = round % 2, kind = round / 2 % 3, E = spread[round / 6];
@@ -455,8 +318,8 @@ TEST(the_interface) {
 }
 
 int main(void) {
-    number *const all[] = {&x, &y, &v, &d, &t};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        mpf_init2(all[i]->re, BITS), mpf_init2(all[i]->im, BITS);
-    return unit_run("complex roots of families");
+    set_precision(4096);
+    int failed = unit_run("complex roots of families");
+    end_precision();
+    return failed;
 }

@@ -541,6 +541,48 @@ CALL(algsurf_complex_roots_integers) {
     WRITTEN(count), written(roots, (size_t)count * sizeof *roots);
 }
 
+static algsurf_precise_roots *some_precise_roots(void) {
+    static const uint64_t limbs[3][2] = {{7, 0}, {3, 9}, {0, 1}};
+    const algsurf_integer c[3] = {{limbs[0], 1}, {limbs[1], -2}, {limbs[2], 2}};
+    algsurf_precise_roots *roots = NULL;
+    (void)algsurf_precise_roots_create(c, NULL, 2, 300, 0, &roots);
+    return roots;
+}
+
+CALL(algsurf_precise_roots_create) {
+    algsurf_precise_roots *roots = NULL;
+    IN_HOST(roots = some_precise_roots());
+    for (int i = 0; i < algsurf_precise_roots_count(roots); i++) {
+        algsurf_precise_root r;
+        assert_ok(algsurf_precise_roots_get(roots, i, &r));
+        WRITTEN(r.exponent), WRITTEN(r.radius), WRITTEN(r.real);
+        written(r.re.limbs, (size_t)abs(r.re.length) * sizeof *r.re.limbs);
+        written(r.im.limbs, (size_t)abs(r.im.length) * sizeof *r.im.limbs);
+    }
+    algsurf_precise_roots_free(roots);
+}
+
+CALL(algsurf_precise_roots_count) {
+    algsurf_precise_roots *roots = some_precise_roots();
+    int count = 0;
+    IN_HOST(count = algsurf_precise_roots_count(roots));
+    WRITTEN(count);
+    algsurf_precise_roots_free(roots);
+}
+
+CALL(algsurf_precise_roots_get) {
+    algsurf_precise_roots *roots = some_precise_roots();
+    algsurf_precise_root r = {.exponent = 0};
+    STATUS_IN_HOST(algsurf_precise_roots_get(roots, 1, &r));
+    WRITTEN(r.exponent), WRITTEN(r.radius), WRITTEN(r.real);
+    algsurf_precise_roots_free(roots);
+}
+
+CALL(algsurf_precise_roots_free) {
+    algsurf_precise_roots *roots = some_precise_roots();
+    IN_HOST(algsurf_precise_roots_free(roots));
+}
+
 /* The calls of isolate.h, each without radii and with them. */
 #define ISOLATE(call)                                                                                        \
     for (int k = 0; k < 4; k++) {                                                                            \

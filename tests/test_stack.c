@@ -450,6 +450,28 @@ STACK_OF(algsurf_complex_roots_integers, 28, OTHERS) {
     }
 }
 
+static algsurf_precise_roots *precise;
+
+STACK_OF(algsurf_precise_roots_create, 36, OTHERS) {
+    static const uint64_t limbs[3][2] = {{7, 5}, {3, 1u << 9}, {1, 1}};
+    algsurf_integer c[MOST + 1];
+    for (int n = 2; n <= 128; n *= 4) {
+        for (int k = 0; k <= n; k++) c[k] = (algsurf_integer){limbs[k % 3], k * k % 5 - 2 > 0 ? 2 : -2};
+        algsurf_precise_roots_free(precise);
+        precise = NULL;
+        (void)algsurf_precise_roots_create(c, n == 8 ? c : NULL, n, 1000, 0, &precise);
+    }
+}
+STACK_OF(algsurf_precise_roots_count, USUAL, OTHERS) { (void)algsurf_precise_roots_count(precise); }
+STACK_OF(algsurf_precise_roots_get, USUAL, OTHERS) {
+    algsurf_precise_root root;
+    (void)algsurf_precise_roots_get(precise, 0, &root);
+}
+STACK_OF(algsurf_precise_roots_free, USUAL, OTHERS) {
+    algsurf_precise_roots_free(precise);
+    precise = NULL;
+}
+
 static algsurf_complex quotient[MOST];
 static algsurf_complex approximation = {0, 1};
 

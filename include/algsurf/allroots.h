@@ -66,6 +66,46 @@ ALGSURF_API algsurf_status algsurf_complex_roots_integers(const algsurf_integer 
                                                           const algsurf_integer *im, int degree,
                                                           algsurf_complex_root *roots, int *count);
 
+/* ---- roots to any number of bits ---- */
+
+/* The most bits that roots may be asked for: 301,000 decimals. */
+#define ALGSURF_MAX_ROOT_BITS 1000000
+
+/* All roots of one polynomial. */
+typedef struct algsurf_precise_roots algsurf_precise_roots;
+
+/* One of them: (re + i im) 2^exponent, off by at most radius 2^exponent in each part. */
+typedef struct algsurf_precise_root {
+    algsurf_integer re, im; /* limbs belong to the algsurf_precise_roots */
+    int exponent, radius;   /* radius 0: this is the root exactly */
+    int multiplicity;       /* exact */
+    int real; /* 1: proved real, im is 0; 0: not real, or not known (complex coefficients) */
+} algsurf_precise_root;
+
+/* All roots of a polynomial of integers, to as many bits as are asked for.
+ *   re, im, degree  as algsurf_complex_roots_integers takes them
+ *   bits            1..ALGSURF_MAX_ROOT_BITS: a root's radius is at most 2^-bits of its larger part
+ *   max_memory      bytes that work may allocate, beside the answer; 0: 1 GiB
+ *   roots           to be freed by algsurf_precise_roots_free
+ * Guarantee: each different root is there once, with its exact multiplicity, in a box of its own: verified.
+ * Roots of real polynomials are proved real, or come in exactly conjugate pairs.  They are in increasing
+ * order of re, then of im.
+ * Returns OK; or NOT_CONVERGED, where 1000 steps have not parted the roots, which is not known to happen:
+ * nothing is written then.
+ * Errors: E_ARGUMENT (null, degree, bits, limbs as above), E_ZERO, E_NO_MEMORY.
+ * Cost: beside that of algsurf_complex_roots_integers, about twice degree^2 (bits / 64)^2 products of words.
+ * Source: as above, then Newton's method.  36 KiB of stack.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_precise_roots_create(const algsurf_integer *re, const algsurf_integer *im,
+                                                        int degree, int bits, size_t max_memory,
+                                                        algsurf_precise_roots **roots);
+/* How many there are; 0 for null.  Since 1.0. */
+ALGSURF_API int algsurf_precise_roots_count(const algsurf_precise_roots *roots);
+/* Root i, from 0.  Errors: E_ARGUMENT.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots *roots, int i,
+                                                     algsurf_precise_root *root);
+/* Releases roots, and the limbs of each; null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_precise_roots_free(algsurf_precise_roots *roots);
+
 /* ---- many polynomials at once ---- */
 
 /* Polynomials of one degree with complex or real coefficients. */

@@ -18,9 +18,8 @@
 #include "impl.h"
 
 #define OWN_WORDS ((size_t)(15 << 10) / sizeof(uint64_t)) /* on the stack */
-#define MEMORY_LIMIT ((size_t)1 << 30)
-#define FIRST_SWEEPS 4  /* before multiple roots are looked for */
-#define RADII_SWEEPS 64 /* what radii allow to know is known by then */
+#define FIRST_SWEEPS 4                                    /* before multiple roots are looked for */
+#define RADII_SWEEPS 64                                   /* what radii allow to know is known by then */
 
 /* The polynomial in doubles, without exact zeros at either end, and what is made of it. */
 typedef struct problem {
@@ -31,8 +30,8 @@ typedef struct problem {
     int real;                    /* coefficients and their radii */
     int unit, least;             /* integer k is coefficient low + k times 2^(k unit - least) */
     algsurf_memory *m;
-    algsurf_complex_root *roots;
-    int count, proposed, moved;
+    algsurf_i_answer answer;
+    int proposed, moved;
 } problem;
 
 static algsurf_status read_input(const algsurf_complex *c, const double *r, int degree, int real_radii,
@@ -174,18 +173,13 @@ static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given)
     if (!at || !algsurf_i_propose(s->m, z, given, at, &s->proposed)) return 0;
     if (!algsurf_i_discs_begin(&d, s->m, &z->p, at)) return 0;
     if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : FIRST_SWEEPS, &open)) return 0;
+    s->answer.unit = s->unit, s->answer.real = !z->p.im.c;
     if (open && !s->r) {
-        algsurf_i_factors f = {.m = s->m,
-                               .unit = s->unit,
-                               .roots = s->roots,
-                               .proposed = &s->proposed,
-                               .moved = &s->moved};
-        if (!algsurf_i_solve_factors(&f, &z->p)) return 0;
-        s->count = f.count;
-        if (f.count > 0) return 1;
+        if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer, &s->proposed, &s->moved)) return 0;
+        if (s->answer.count > 0) return 1;
         if (!algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
     }
-    s->count = algsurf_i_discs_boxes(&d, s->unit, s->roots);
+    if (!algsurf_i_deliver(&d, 1, &s->answer)) return 0;
     s->moved += d.moved;
     return 1;
 }
@@ -210,21 +204,22 @@ static algsurf_status solve_integers(problem *s) {
                                                                              : ALGSURF_E_NO_MEMORY;
 }
 
-/* With memory for all that is taken, and the root 0. */
-static algsurf_status solve_with_zero(problem *s, const algsurf_complex *start, algsurf_complex_root *roots,
-                                      int *count) {
+/* With memory for all that is taken. */
+static algsurf_status solve_all(problem *s, const algsurf_complex *start, size_t limit,
+                                algsurf_complex_root *roots, int *count) {
     uint64_t own[OWN_WORDS];
     algsurf_memory m;
-    algsurf_memory_begin(&m, own, OWN_WORDS, MEMORY_LIMIT);
+    algsurf_memory_begin(&m, own, OWN_WORDS, limit);
     algsurf_memory_mark mark = algsurf_memory_here(&m);
+    algsurf_i_answer *a = &s->answer;
     s->m = &m;
-    s->roots = algsurf_i_take(&m, (size_t)(s->high + 1) * sizeof *s->roots);
+    a->roots = algsurf_i_take(&m, (size_t)(s->high + 1) * sizeof *a->roots);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (s->roots) status = s->c ? solve_doubles(s, start) : solve_integers(s);
-    if (status == ALGSURF_OK) {
-        if (s->low > 0) s->roots[s->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};
-        *count = algsurf_i_join_boxes(s->roots, s->count, s->real);
-        memcpy(roots, s->roots, (size_t)*count * sizeof *roots);
+    if (a->roots) status = s->c ? solve_doubles(s, start) : solve_integers(s);
+    if (status == ALGSURF_OK && roots) {
+        if (s->low > 0) a->roots[a->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};
+        *count = algsurf_i_join_boxes(a->roots, a->count, s->real);
+        memcpy(roots, a->roots, (size_t)*count * sizeof *roots);
     }
     algsurf_memory_release(&m, mark);
     return status;
@@ -236,7 +231,7 @@ algsurf_status algsurf_i_all_roots(const algsurf_complex *c, const double *r, in
     problem s;
     if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_input(c, r, degree, real_radii, &s);
-    if (status == ALGSURF_OK) status = solve_with_zero(&s, start, roots, count);
+    if (status == ALGSURF_OK) status = solve_all(&s, start, ALGSURF_I_COMPLEX_MEMORY, roots, count);
     if (status == ALGSURF_OK && stats) stats->iterations = s.proposed, stats->retries = s.moved;
     return status;
 }
@@ -247,8 +242,18 @@ algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re, const a
     if (!re || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_integers(re, im, degree, &s);
     if (status != ALGSURF_OK) return status;
-    ALGSURF_STANDARD(status = solve_with_zero(&s, NULL, roots, count));
+    ALGSURF_STANDARD(status = solve_all(&s, NULL, ALGSURF_I_COMPLEX_MEMORY, roots, count));
     return status;
+}
+
+algsurf_status algsurf_i_find_precise_roots(const algsurf_integer *re, const algsurf_integer *im, int degree,
+                                            size_t limit, algsurf_precise_roots *roots, int *at_zero) {
+    problem s;
+    algsurf_status status = read_integers(re, im, degree, &s);
+    if (status != ALGSURF_OK) return status;
+    s.answer.precise = roots;
+    *at_zero = s.low;
+    return solve_all(&s, NULL, limit, NULL, NULL);
 }
 
 /* ---- solvers ---- */

@@ -41,6 +41,18 @@ static algsurf_interval part(const algsurf_limb *x, int w, int64_t exponent, dou
                               algsurf_z_round_up(b, LIMBS, clamped(low + unit)) + 0.0};
 }
 
+/* The root is within blur + error of z - W, of which the end is cut: less than 2 units from each part. */
+int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R) {
+    const algsurf_i_disc *root = d->root + i;
+    algsurf_scaled way = root->step;
+    *R = algsurf_i_scaled_by(algsurf_i_scaled_join(root->blur, root->error, 1), 1 + 0x1p-40);
+    const int exact = algsurf_i_scaled_is_zero(way) && algsurf_i_scaled_is_zero(*R);
+    const int64_t low = exact ? root->z.exponent : R->exponent - 10;
+    way.re = -way.re, way.im = -way.im;
+    if (!exact) *R = algsurf_i_scaled_join(*R, algsurf_i_scaled_of(4, 0, low), 1);
+    return algsurf_i_set_point(d->m, x, &root->z, way, low, on_axis);
+}
+
 /* A number in the box that is finite. */
 static double inside(algsurf_interval box, double x) {
     return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX) + 0.0;
@@ -150,7 +162,9 @@ static int compare(const void *left, const void *right) {
     return (a->root.im > b->root.im) - (a->root.im < b->root.im);
 }
 
-int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots) {
+/* Boxes of the groups, rounded outward, disjoint; those of a real polynomial are symmetric.  Returns their
+ * number. */
+static int make_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots) {
     int count = 0;
     for (int g = 0; g < d->n; g++) {
         if (d->root[g].group != g || d->root[g].left_out) continue;
@@ -170,6 +184,18 @@ int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_comple
         roots[i].root = (algsurf_complex){inside(roots[i].box.re, roots[i].root.re),
                                           inside(roots[i].box.im, roots[i].root.im)};
     return count;
+}
+
+int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *a) {
+    if (a->precise) return algsurf_i_deliver_precisely(d, multiplicity, a);
+    algsurf_complex_root *roots = a->roots + a->count;
+    int count = make_boxes(d, a->unit, roots);
+    for (int i = 0; i < count; i++) {
+        roots[i].multiplicity *= multiplicity;
+        roots[i].real = roots[i].real && a->real;
+    }
+    a->count += count;
+    return 1;
 }
 
 int algsurf_i_join_boxes(algsurf_complex_root *e, int count, int real) {

@@ -54,6 +54,15 @@ typedef struct algsurf_i_disc {
 
 #define ALGSURF_I_ENDLESS ((algsurf_scaled){1, 0, (int64_t)1 << 46}) /* a size above all others */
 
+/* Where roots go to. */
+typedef struct algsurf_i_answer {
+    int64_t unit;                   /* roots are times 2^unit */
+    int real;                       /* all coefficients are real */
+    int count;                      /* of boxes, which may meet */
+    algsurf_complex_root *roots;    /* room for the degree */
+    algsurf_precise_roots *precise; /* not null: the roots go there, in place of boxes */
+} algsurf_i_answer;
+
 /* Functions that return int give 0 when there is no memory. */
 
 /* ---- taylor.c ---- */
@@ -91,11 +100,14 @@ typedef struct algsurf_i_discs {
     const algsurf_i_gaussian *p;
     algsurf_memory *m;
     int n, moved; /* degree; steps so far */
+    int64_t more; /* bits of a root that are asked for beyond those of a double */
     algsurf_i_disc *root;
     algsurf_i_sums sums; /* of the last value */
 } algsurf_i_discs;
 
 /* ---- point.c ---- */
+
+extern const algsurf_i_point algsurf_i_origin;
 
 /* z = from + way, rounded down to multiples of 2^low; y = 0 if on_axis.  z may be `from`. */
 int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from,
@@ -169,18 +181,11 @@ int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z);
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
                       algsurf_scaled *z, int *corrections);
 
-/* Roots by factors. */
-typedef struct algsurf_i_factors {
-    algsurf_memory *m;
-    int64_t unit;                /* roots are times 2^unit */
-    algsurf_complex_root *roots; /* room for the degree */
-    int count;                   /* how many boxes; they may meet */
-    int *proposed, *moved;       /* counts of steps */
-    int real;                    /* set: all coefficients are real */
-} algsurf_i_factors;
-/* All roots of an exact polynomial with multiple ones, each with its multiplicity; count stays 0 if there are
- * no multiple ones, or they could not be told apart. */
-int algsurf_i_solve_factors(algsurf_i_factors *f, const algsurf_i_gaussian *p);
+/* All roots of an exact polynomial with multiple ones, each with its multiplicity; real: it has real
+ * coefficients.  The answer's count stays 0 if there are no multiple ones, or they could not be told apart.
+ * Adds to *proposed and *moved the steps it took. */
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
+                            int *proposed, int *moved);
 
 /* ---- on_axis.c ---- */
 
@@ -195,15 +200,24 @@ typedef struct algsurf_i_root_on_axis {
 int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at,
                             int *count);
 
+/* Root i, which is alone, is real: 1, 0; -1: not known. */
+int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer);
+
 /* ---- answer.c ---- */
 
-/* Boxes of the groups, times 2^unit, rounded outward, disjoint; those of a real polynomial are symmetric.
- * Returns their number. */
-int algsurf_i_discs_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots);
+/* Root i, which is alone, is within R of x in each part; R is 0 where it is exactly x. */
+int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R);
+/* The roots of d, each of this multiplicity, are added to the answer. */
+int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer);
 /* The only double inside of the box of root i, which is alone; 0: there is none. */
 int algsurf_i_double_inside(const algsurf_i_discs *d, int i, double z[2]);
 /* Joins boxes that meet; `real`: also those that meet one box's mirror image.  Returns the number left, in
  * order. */
 int algsurf_i_join_boxes(algsurf_complex_root *roots, int count, int real);
+
+/* ---- precise.c ---- */
+
+/* As algsurf_i_deliver, to as many bits as are wanted. */
+int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer);
 
 #endif

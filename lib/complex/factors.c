@@ -99,13 +99,9 @@ static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *done) {
         algsurf_i_disc *root = d->root + i;
         algsurf_i_point z = {.room = 0};
         int is_out, mate_is_out;
-        algsurf_scaled step = root->step, R = algsurf_i_scaled_join(root->blur, root->error, 1);
+        algsurf_scaled R;
         if (d->root[root->group].members > 1) return !(*done = 0);
-        algsurf_scaled unit =
-            algsurf_i_scaled_of(0x1p-50, 0, R.re > 0 ? R.exponent : root->z.head.exponent - 100);
-        step.re = -step.re, step.im = -step.im;
-        if (!algsurf_i_set_point(d->m, &z, &root->z, step, unit.exponent, 0)) return 0;
-        R = algsurf_i_scaled_join(R, algsurf_i_scaled_by(unit, 4), 1);
+        if (!algsurf_i_centre(d, i, 0, &z, &R)) return 0;
         if (!is_no_root(&d->sums, h, &z, R, &is_out)) return 0;
         if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(&d->sums, h, &z, R, &mate_is_out)) return 0;
         root->left_out = (unsigned char)is_out;
@@ -114,9 +110,16 @@ static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *done) {
     return 1;
 }
 
+/* Roots by factors. */
+typedef struct factors {
+    algsurf_memory *m;
+    algsurf_i_answer *answer;
+    int *proposed, *moved;
+} factors;
+
 /* The roots of f, which is squarefree; h not null: those that h has, too. */
-static int solve_factor(algsurf_i_factors *s, const algsurf_zpoly *f, int multiplicity,
-                        const algsurf_i_integers *h, int *done) {
+static int solve_factor(factors *s, const algsurf_zpoly *f, int multiplicity, const algsurf_i_integers *h,
+                        int *done) {
     algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
     algsurf_i_discs d;
     int open;
@@ -129,14 +132,7 @@ static int solve_factor(algsurf_i_factors *s, const algsurf_zpoly *f, int multip
     if (h && !choose(&d, h, done)) return 0;
     if (!*done) return 1;
     z.p.real = !h;
-    algsurf_complex_root *roots = s->roots + s->count;
-    int count = algsurf_i_discs_boxes(&d, s->unit, roots);
-    for (int i = 0; i < count; i++) {
-        roots[i].multiplicity *= multiplicity;
-        roots[i].real = roots[i].real && s->real;
-    }
-    s->count += count;
-    return 1;
+    return algsurf_i_deliver(&d, multiplicity, s->answer);
 }
 
 /* ---- all factors ---- */
@@ -153,7 +149,7 @@ static int make_factor(algsurf_memory *m, const algsurf_zpoly *share, int count,
 }
 
 /* Each share of the roots of p by itself, if there are multiple ones, or h is given. */
-static int solve_shares(algsurf_i_factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always,
+static int solve_shares(factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always,
                         int *done) {
     int highest;
     algsurf_memory_mark mark = algsurf_memory_here(s->m);
@@ -200,23 +196,23 @@ static int make_cofactor(algsurf_memory *m, const algsurf_zpoly *u, const algsur
     return algsurf_i_make_heads(m, h);
 }
 
-int algsurf_i_solve_factors(algsurf_i_factors *s, const algsurf_i_gaussian *p) {
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
+                            int *proposed, int *moved) {
+    factors s = {m, answer, proposed, moved};
     int squarefree, done = 1;
     algsurf_parts parts;
     algsurf_zpoly N;
     algsurf_i_integers h;
-    s->real = !p->im.c;
-    if (s->real) return solve_shares(s, &p->re, NULL, 0, &done);
-    if (!is_squarefree(s->m, p, &squarefree)) return 0;
+    if (!p->im.c) return solve_shares(&s, &p->re, NULL, 0, &done);
+    if (!is_squarefree(m, p, &squarefree)) return 0;
     if (squarefree) return 1;
-    algsurf_memory_mark mark = algsurf_memory_here(s->m);
+    algsurf_memory_mark mark = algsurf_memory_here(m);
     parts = (algsurf_parts){.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
-    if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(s->m, &p->re, &p->im, &parts))
-        return 0;
-    if (parts.g.degree > 0 && !solve_shares(s, &parts.g, NULL, 1, &done)) return 0;
-    if (!make_cofactor(s->m, &parts.u, &parts.v, &h) || !make_norm(s->m, &parts.u, &parts.v, &N)) return 0;
-    if (N.degree > 0 && !solve_shares(s, &N, &h, 1, &done)) return 0;
-    if (!done) s->count = 0;
-    algsurf_memory_release(s->m, mark);
+    if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(m, &p->re, &p->im, &parts)) return 0;
+    if (parts.g.degree > 0 && !solve_shares(&s, &parts.g, NULL, 1, &done)) return 0;
+    if (!make_cofactor(m, &parts.u, &parts.v, &h) || !make_norm(m, &parts.u, &parts.v, &N)) return 0;
+    if (N.degree > 0 && !solve_shares(&s, &N, &h, 1, &done)) return 0;
+    if (!done) answer->count = 0;
+    algsurf_memory_release(m, mark);
     return 1;
 }

@@ -4,9 +4,9 @@
  * conjugate is in that image, and each root is in its disc.  A disc off the axis has no real root.  Of the
  * others, |y| is at most the radius, so that the image lies within three radii of the point.
  *
- * The interval.  The root is within R = blur + error of x = z - W, and the interval about x, cut to multiples
- * of 2^-10 R, reaches beyond that.  It stays within the disc, n |W| >= 3 |W|, and so has no other root, as
- * long as R (1 + 2^-7) <= 2 |W|: else the root counts as not found. */
+ * The interval.  The root is within R of x = z - W, cut to multiples of about 2^-10 R, and the interval about
+ * x reaches that far.  It stays within the disc, n |W| >= 3 |W|, and so has no other root, as long as
+ * R < 2 |W|: else the root counts as not found. */
 #include "../base/arithmetic.h"
 #include <string.h>
 
@@ -16,8 +16,7 @@ static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_le
 
 static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
 
-/* Is root i real: 1, 0; -1: not known. */
-static int is_real(algsurf_i_discs *d, int i, int *answer) {
+int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer) {
     const algsurf_i_disc *root = d->root + i;
     algsurf_scaled far;
     *answer = !less(root->disc, by(root->z.above, 1 - 0x1p-50));
@@ -32,30 +31,24 @@ static int is_real(algsurf_i_discs *d, int i, int *answer) {
 
 /* The interval about real root i; *done 0: not known. */
 static int set_interval(algsurf_i_discs *d, int i, algsurf_i_root_on_axis *at, int *done) {
-    const algsurf_i_disc *root = d->root + i;
     algsurf_i_point x = {.room = 0};
-    algsurf_scaled R = algsurf_i_scaled_join(root->blur, root->error, 1), step = root->step;
-    int exact = algsurf_i_scaled_is_zero(root->step) && algsurf_i_scaled_is_zero(R);
-    *done = exact || less(by(R, 1 + 0x1p-6), by(algsurf_i_scaled_size(step), 2));
+    algsurf_scaled R;
+    if (!algsurf_i_centre(d, i, 1, &x, &R)) return 0;
+    int exact = algsurf_i_scaled_is_zero(R);
+    *done = exact || less(R, by(algsurf_i_scaled_size(d->root[i].step), 2));
     if (!*done) return 1;
-    step.re = -step.re, step.im = 0;
-    int64_t low = exact ? root->z.exponent : R.exponent - 10;
-    if (!algsurf_i_set_point(d->m, &x, &root->z, step, low, 1)) return 0;
-    int64_t up = x.exponent - low > 0 ? x.exponent - low : 0, w = x.w + up / 64 + 2;
-    algsurf_limb *a = algsurf_memory_take(d->m, 2 * (size_t)w);
+    int64_t low = exact ? x.exponent : R.exponent - 10, up = x.exponent - low > 0 ? x.exponent - low : 0;
+    int w = x.w + (int)(up / 64) + 2;
+    algsurf_limb *a = algsurf_memory_take(d->m, 2 * (size_t)w), *b = a + w;
     if (!a) return 0;
-    *at = (algsurf_i_root_on_axis){a, exact ? NULL : a + w, (int)w, (int)-low};
-    algsurf_z_zero(a, 2 * (int)w);
-    algsurf_i_add_shifted(a, (int)w, x.x, x.w, up);
-    if (exact) {
-        at->r = (int)-x.exponent;
-        algsurf_z_copy(a, (int)w, x.x, x.w);
-        return 1;
-    }
-    algsurf_z_copy(a + w, (int)w, a, (int)w);
-    algsurf_limb reach = (algsurf_limb)(R.re * 0x1p10) + 4; /* each part of x is cut by less than 2 */
-    algsurf_z_add_limbs(a, (int)w, 0, reach);
-    algsurf_z_add_limbs(a + w, (int)w, reach, 0);
+    algsurf_z_zero(a, 2 * w);
+    algsurf_i_add_shifted(a, w, x.x, x.w, x.exponent - low);
+    *at = (algsurf_i_root_on_axis){a, exact ? NULL : b, w, (int)-low};
+    if (exact) return 1;
+    algsurf_z_copy(b, w, a, w);
+    algsurf_limb reach = (algsurf_limb)(R.re * 0x1p10) + 1;
+    algsurf_z_add_limbs(a, w, 0, reach);
+    algsurf_z_add_limbs(b, w, reach, 0);
     return 1;
 }
 
@@ -79,7 +72,7 @@ static int find(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_r
     int found = 0, sign, done = open == 0;
     for (int i = 0; i < n && done; i++) {
         int real, k = found;
-        if (!is_real(&d, i, &real)) return 0;
+        if (!algsurf_i_is_real(&d, i, &real)) return 0;
         if (real < 0) return 1;
         if (real == 0) continue;
         for (; k > 0; order[k] = order[k - 1], k--) {

@@ -23,10 +23,6 @@
 #define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
 #define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
 
-static algsurf_limb no_limb;
-static const algsurf_i_point origin = {
-    .x = &no_limb, .y = &no_limb, .w = 1, .head = {.exponent = ALGSURF_SCALED_NONE}};
-
 static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
 
 static algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_times(a, b); }
@@ -74,7 +70,7 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i
     if (p->real) pair(z, d->n, paired), z = paired;
     for (int i = 0; i < d->n; i++) {
         d->root[i].width = 2;
-        if (!algsurf_i_set_point(m, &d->root[i].z, &origin, z[i], z[i].exponent - 60, 0)) return 0;
+        if (!algsurf_i_set_point(m, &d->root[i].z, &algsurf_i_origin, z[i], z[i].exponent - 60, 0)) return 0;
     }
     return 1;
 }
@@ -91,9 +87,10 @@ static int is_narrow(const algsurf_i_discs *d, int i) {
     algsurf_scaled x = part(at.re, at.exponent), y = part(at.im, at.exponent), most = larger(x, y);
     if (root->stuck && !less(blur, ALGSURF_I_ENDLESS)) return 1;
     if (!root->stuck && !less(by(root->disc, 8.0 * d->n), root->nearest)) return 0;
+    if (d->more > 0) blur = sum(blur, root->error);
     if (is_zero(blur)) return 1;
-    blur.exponent += NARROW;
-    if (!less(most, blur)) return 1;
+    blur.exponent += NARROW + d->more;
+    if (!less(most, blur) || d->more > 0) return !less(most, blur);
     blur.exponent += NARROW_PART - NARROW;
     int on_axis = d->p->real && !less(root->disc, y);
     return !less(x, blur) && (on_axis || !less(y, blur));
@@ -137,6 +134,27 @@ static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
     *step = over(root->step, total);
     if (step->exponent > size.exponent + 1) step->exponent = size.exponent + 1;
     return 1;
+}
+
+/* A step of Newton's method, the digits that are right doubled: for roots by themselves of which doubles know
+ * all they can tell.  *done 0: there is none. */
+static int sharpen(algsurf_i_discs *d, int i, int *done) {
+    algsurf_i_disc *root = d->root + i;
+    const algsurf_scaled step = root->step, head = root->z.head;
+    int64_t top = head.exponent > step.exponent ? head.exponent : step.exponent,
+            least = top - NARROW - d->more - LEAST_BITS,
+            low = 2 * step.exponent - root->nearest.exponent - 10;
+    if (low < least) low = least;
+    *done = d->more > 0 && is_alone(d, i) && !root->stuck && low < step.exponent - LEAST_BITS &&
+            less(by(root->disc, 8.0 * d->n), root->nearest);
+    if (!*done) return 1;
+    const int on_axis = d->p->real && !less(root->disc, root->z.above);
+    root->width += (int)((step.exponent - low) / 64) + 1;
+    root->known = 0;
+    d->moved++;
+    if (!algsurf_i_taylor(&d->sums, d->p, &root->z, 1, root->width)) return 0;
+    algsurf_i_sum *c = d->sums.at;
+    return algsurf_i_subtract_quotient(d->m, &root->z, c, c + 1, 1, low, on_axis);
 }
 
 /* ---- clusters ---- */
@@ -279,7 +297,7 @@ static int snap(algsurf_i_discs *d) {
         if (least < 0x1p-900 || fmax(fabs(z[0]), fabs(z[1])) > 0x1p900) continue;
         root->known = 0;
         d->moved++;
-        if (!algsurf_i_set_point(d->m, &root->z, &origin, algsurf_i_scaled_of(z[0], z[1], 0),
+        if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, algsurf_i_scaled_of(z[0], z[1], 0),
                                  ilogb(least) - 53, 0))
             return 0;
     }
@@ -290,12 +308,15 @@ static int snap(algsurf_i_discs *d) {
 static int take_step(algsurf_i_discs *d, int i) {
     algsurf_i_disc *root = d->root + i;
     algsurf_scaled step;
+    int done;
     if (follows_mate(d, i)) {
         root->next = d->root[root->mate].next;
         root->next.im = -root->next.im;
         root->known = 0;
         return algsurf_i_set_conjugate(d->m, &root->z, &d->root[root->mate].z);
     }
+    if (!sharpen(d, i, &done)) return 0;
+    if (done) return 1;
     if (!step_of(d, i, &step)) return 0;
     if (is_zero(step)) return 1;
     root->next = step;

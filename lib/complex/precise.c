@@ -1,0 +1,236 @@
+/* precise.c - all complex roots of a polynomial of integers, to any number of bits.
+ *
+ * The roots are found and isolated as for doubles (allroots.c).  Then each is made as narrow as is asked, by
+ * Newton's steps on its point and one more proof of all discs (part.c, discs.c).
+ *
+ * Of a real polynomial, roots that are proved real, and those above the axis, are taken; the conjugates of
+ * these are the others.  Boxes of one factor's roots do not meet, as each is far smaller than the distance to
+ * the next root.  Where those of different factors do, more bits are asked for: the roots are different, so
+ * this ends. */
+#include "../base/arithmetic.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/fpenv.h"
+#include "discs.h"
+#include "impl.h"
+
+#define BITS_OF_DOUBLES 60 /* fewer than what discs are narrow to without being asked for more */
+
+/* A root as it comes, in memory of its own. */
+typedef struct entry {
+    algsurf_i_point z;
+    int radius, multiplicity, real;
+} entry;
+
+struct algsurf_precise_roots {
+    int bits, count, failed; /* failed: a root could not be told from another */
+    entry *found;
+    algsurf_precise_root *root; /* in order */
+};
+
+/* x 2^up, the exponent lower by that, in memory of its own. */
+static int copy_of(const algsurf_i_point *z, int up, algsurf_i_point *copy) {
+    const int w = z->w + up / 64 + 1;
+    algsurf_limb *limbs = malloc(2 * (size_t)w * sizeof *limbs);
+    if (!limbs) return 0;
+    *copy = *z;
+    copy->x = limbs, copy->y = limbs + w, copy->w = copy->room = w;
+    algsurf_z_copy(copy->x, w, z->x, z->w);
+    algsurf_z_copy(copy->y, w, z->y, z->w);
+    algsurf_z_shift_up(copy->x, w, up);
+    algsurf_z_shift_up(copy->y, w, up);
+    copy->exponent -= up;
+    return 1;
+}
+
+/* A root within R of z. */
+static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scaled R, int multiplicity,
+               int real) {
+    entry *e = to->found + to->count;
+    const int exact = algsurf_i_scaled_is_zero(R);
+    const int64_t low = exact ? z->exponent : R.exponent - 10;
+    *e = (entry){.multiplicity = multiplicity, .real = real};
+    if (!copy_of(z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
+    if (!exact) e->radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
+    to->count++;
+    return 1;
+}
+
+int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer) {
+    algsurf_precise_roots *to = answer->precise;
+    int open;
+    d->more = to->bits > BITS_OF_DOUBLES ? to->bits - BITS_OF_DOUBLES : 1;
+    if (!algsurf_i_discs_run(d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
+    for (int i = 0; i < d->n && !to->failed; i++) {
+        const algsurf_i_disc *root = d->root + i;
+        algsurf_i_point x = {.room = 0};
+        algsurf_scaled R;
+        int real = 0;
+        if (root->left_out) continue;
+        if (open || d->root[root->group].members > 1) return to->failed = 1;
+        if (d->p->real && !algsurf_i_is_real(d, i, &real)) return 0;
+        if (real < 0) return to->failed = 1;
+        if (!algsurf_i_centre(d, i, real, &x, &R)) return 0;
+        if (d->p->real && !real && x.head.im < 0) continue;
+        if (!add(to, &x, R, multiplicity, real)) return 0;
+        if (!d->p->real || real) continue;
+        if (!algsurf_i_set_conjugate(d->m, &x, &x) || !add(to, &x, R, multiplicity, 0)) return 0;
+    }
+    answer->count = to->count;
+    return 1;
+}
+
+/* ---- boxes of different factors ---- */
+
+static algsurf_scaled radius_of(const entry *e) { return algsurf_i_scaled_of(e->radius, 0, e->z.exponent); }
+
+/* -1: no memory. */
+static int meet(algsurf_memory *m, const entry *a, const entry *b) {
+    algsurf_scaled d, reach = algsurf_i_scaled_join(radius_of(a), radius_of(b), 1);
+    if (!algsurf_i_difference(m, &a->z, &b->z, &d)) return -1;
+    d = algsurf_i_scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
+    return !algsurf_i_scaled_less(algsurf_i_scaled_by(reach, 1 + 0x1p-20), d);
+}
+
+/* Whether any two boxes meet; -1: no memory. */
+static int any_meet(algsurf_memory *m, const algsurf_precise_roots *r) {
+    for (int i = 0; i < r->count; i++)
+        for (int j = 0; j < i; j++) {
+            if (r->found[i].multiplicity == r->found[j].multiplicity) continue;
+            int answer = meet(m, r->found + i, r->found + j);
+            if (answer) return answer;
+        }
+    return 0;
+}
+
+/* ---- order ---- */
+
+/* The word of a magnitude that begins at bit `from`. */
+static algsurf_limb word_at(algsurf_integer a, int64_t from) {
+    const int w = abs(a.length);
+    if (from <= -64 || from >= 64 * (int64_t)w) return 0;
+    if (from < 0) return a.limbs[0] << -from;
+    int i = (int)(from / 64), rest = (int)(from % 64);
+    algsurf_limb high = i + 1 < w ? a.limbs[i + 1] : 0;
+    return rest ? a.limbs[i] >> rest | high << (64 - rest) : a.limbs[i];
+}
+
+static int64_t top_of(algsurf_integer a, int64_t exponent) {
+    const int w = abs(a.length);
+    return exponent + 64 * (int64_t)(w - 1) + algsurf_limb_bits(a.limbs[w - 1]);
+}
+
+/* The sign of a 2^e - b 2^f. */
+static int compare_numbers(algsurf_integer a, int e, algsurf_integer b, int f) {
+    int sign = (a.length > 0) - (a.length < 0), other = (b.length > 0) - (b.length < 0);
+    if (sign != other || sign == 0) return sign - other;
+    int64_t at = top_of(a, e), end = top_of(b, f);
+    if (at != end) return at > end ? sign : -sign;
+    for (end = e < f ? e : f; at > end; at -= 64) {
+        algsurf_limb x = word_at(a, at - 64 - e), y = word_at(b, at - 64 - f);
+        if (x != y) return x > y ? sign : -sign;
+    }
+    return 0;
+}
+
+static int compare(const void *left, const void *right) {
+    const algsurf_precise_root *a = left, *b = right;
+    int sign = compare_numbers(a->re, a->exponent, b->re, b->exponent);
+    return sign ? sign : compare_numbers(a->im, a->exponent, b->im, b->exponent);
+}
+
+/* The number in place of which its magnitude is left. */
+static algsurf_integer integer_of(algsurf_limb *a, int w) {
+    int negative = algsurf_z_negative(a, w);
+    if (negative) algsurf_z_negate(a, w);
+    int length = algsurf_z_length(a, w);
+    return (algsurf_integer){a, negative ? -length : length};
+}
+
+/* ---- the public calls ---- */
+
+static void drop(algsurf_precise_roots *r) {
+    for (int i = 0; i < r->count; i++) free(r->found[i].z.x);
+    r->count = 0;
+}
+
+void algsurf_precise_roots_free(algsurf_precise_roots *r) {
+    if (!r) return;
+    drop(r);
+    free(r->found);
+    free(r->root);
+    free(r);
+}
+
+static algsurf_precise_roots *new_roots(int degree) {
+    const size_t room = degree > 0 ? (size_t)degree : 1;
+    algsurf_precise_roots *r = calloc(1, sizeof *r);
+    if (!r) return NULL;
+    r->found = malloc(room * sizeof *r->found);
+    r->root = malloc(room * sizeof *r->root);
+    if (r->found && r->root) return r;
+    algsurf_precise_roots_free(r);
+    return NULL;
+}
+
+/* One attempt; *met: boxes meet. */
+static algsurf_status find(const algsurf_integer *re, const algsurf_integer *im, int degree, size_t limit,
+                           algsurf_precise_roots *r, int *met) {
+    algsurf_memory m;
+    algsurf_memory_mark mark = algsurf_memory_begin(&m, NULL, 0, limit);
+    int at_zero;
+    algsurf_status status = algsurf_i_find_precise_roots(re, im, degree, limit, r, &at_zero);
+    if (status == ALGSURF_OK && r->failed) status = ALGSURF_NOT_CONVERGED;
+    if (status == ALGSURF_OK && at_zero > 0 &&
+        !add(r, &algsurf_i_origin, algsurf_i_scaled_none(), at_zero, 1))
+        status = ALGSURF_E_NO_MEMORY;
+    if (status == ALGSURF_OK && (*met = any_meet(&m, r)) < 0) status = ALGSURF_E_NO_MEMORY;
+    algsurf_memory_release(&m, mark);
+    return status;
+}
+
+static algsurf_status create(const algsurf_integer *re, const algsurf_integer *im, int degree, int bits,
+                             size_t limit, algsurf_precise_roots *r) {
+    algsurf_status status;
+    int met = 0;
+    r->bits = bits;
+    while ((status = find(re, im, degree, limit, r, &met)) == ALGSURF_OK && met) drop(r), r->bits *= 2;
+    for (int i = 0; i < r->count; i++) {
+        const entry *e = r->found + i;
+        r->root[i] = (algsurf_precise_root){.re = integer_of(e->z.x, e->z.w),
+                                            .im = integer_of(e->z.y, e->z.w),
+                                            .exponent = (int)e->z.exponent,
+                                            .radius = e->radius,
+                                            .multiplicity = e->multiplicity,
+                                            .real = e->real};
+    }
+    qsort(r->root, (size_t)r->count, sizeof *r->root, compare);
+    return status;
+}
+
+algsurf_status algsurf_precise_roots_create(const algsurf_integer *re, const algsurf_integer *im, int degree,
+                                            int bits, size_t max_memory, algsurf_precise_roots **roots) {
+    if (!re || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots) return ALGSURF_E_ARGUMENT;
+    if (bits < 1 || bits > ALGSURF_MAX_ROOT_BITS) return ALGSURF_E_ARGUMENT;
+    algsurf_precise_roots *r = new_roots(degree);
+    if (!r) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status;
+    ALGSURF_STANDARD(status =
+                         create(re, im, degree, bits, max_memory ? max_memory : ALGSURF_I_COMPLEX_MEMORY, r));
+    if (status != ALGSURF_OK)
+        algsurf_precise_roots_free(r);
+    else
+        *roots = r;
+    return status;
+}
+
+int algsurf_precise_roots_count(const algsurf_precise_roots *roots) { return roots ? roots->count : 0; }
+
+algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots *roots, int i,
+                                         algsurf_precise_root *root) {
+    if (!roots || !root || i < 0 || i >= roots->count) return ALGSURF_E_ARGUMENT;
+    *root = roots->root[i];
+    return ALGSURF_OK;
+}
