@@ -49,8 +49,8 @@ static const cli_option options_table[] = {
      "doubles allow; without --real it always is",
      cli_set_tolerance, FIELD(tolerance)},
     {"--coefficients", "exact|rounded",
-     "exact (default): decimals are taken exactly.  rounded: they are rounded to doubles\n"
-     "first, and what is proved holds for the rounded polynomial",
+     "exact (default): decimals and fractions are taken exactly.  rounded: they are rounded\n"
+     "to doubles first, and what is proved holds for the rounded polynomial",
      cli_set_choice, FIELD(rounded)},
     {"--threads", "N", "how many threads share the lines of the input, 1 (default) to 256", cli_set_int,
      offsetof(roots_options, threads), 1, 256},
@@ -62,25 +62,27 @@ static const cli_option options_table[] = {
 static const cli_program program = {
     .name = "roots",
     .synopsis = "[options] [P_0 P_1 ... P_N]",
-    .about = "Finds all roots of polynomials, real and complex, and proves them.  A polynomial is given by\n"
-             "its coefficients, lowest degree first: t^2 - 2 is -2 0 1.  Without coefficients on the\n"
-             "command line, polynomials are read from standard input, one a line, with blanks between the\n"
-             "numbers; '#' starts a comment.\n\n"
-             "A coefficient is a real number, or re,im for a complex one, decimal or hexadecimal.\n"
-             "Decimals are exact, whatever their length and exponent, as long as a polynomial has at most\n"
-             "9800 digits from its first to its last.  The degree is at most 512; zeros at the end of a\n"
-             "line lower it.\n\n"
-             "For each root it prints an approximation, an interval or box that is proved to hold it, and\n"
-             "its multiplicity: how many roots, equal or too close to be separated, the box holds.\n"
-             "Numbers have the fewest digits that read back exactly.  The columns of --format tsv: line,\n"
-             "index, re, im, re_lo, re_hi, im_lo, im_hi, multiplicity, verified (always 1).  A line that\n"
-             "is no polynomial has the index \"error\", and '-' in the other columns.",
+    .about =
+        "Finds all roots of polynomials, real and complex, and proves them.  A polynomial is given by\n"
+        "its coefficients, lowest degree first: t^2 - 2 is -2 0 1.  Without coefficients on the\n"
+        "command line, polynomials are read from standard input, one a line, with blanks between the\n"
+        "numbers; '#' starts a comment.\n\n"
+        "A coefficient is a real number, or re,im for a complex one; numbers are decimal, hexadecimal,\n"
+        "or fractions of two of these, as 1/3.  They are exact, whatever their length and exponent, as\n"
+        "long as a polynomial, times the common denominator of its fractions, has at most 9800 digits\n"
+        "from its first to its last.  The degree is at most 512; zeros at the end of a line lower it.\n\n"
+        "For each root it prints an approximation, an interval or box that is proved to hold it, and\n"
+        "its multiplicity: how many roots, equal or too close to be separated, the box holds.\n"
+        "Numbers have the fewest digits that read back exactly.  The columns of --format tsv: line,\n"
+        "index, re, im, re_lo, re_hi, im_lo, im_hi, multiplicity, verified (always 1).  A line that\n"
+        "is no polynomial has the index \"error\", and '-' in the other columns.",
     .options = options_table,
     .examples = "roots -2 0 1\n"
                 "roots --real 0:inf -4 0 3 0 1\n"
                 "echo '-4 0 3 0 1' | roots --format tsv\n"
                 "echo '1,2 0 -3.5,0x1p-3' | roots\n"
-                "roots -0.6 1.1 -0.6 0.1",
+                "roots -0.6 1.1 -0.6 0.1\n"
+                "roots -1/147 17/147 -13/21 1",
 };
 
 enum { MANY_LINES = 256 }; /* for a thread at once */

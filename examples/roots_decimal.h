@@ -1,5 +1,4 @@
-/* roots_decimal.h - numbers as they are written, exactly: d 5^f 2^g with an integer d, as limbs and doubles.
- */
+/* roots_decimal.h - numbers as they are written, exactly: d 5^f 2^g with an integer d. */
 #ifndef ROOTS_DECIMAL_H
 #define ROOTS_DECIMAL_H
 #include <stdint.h>
@@ -22,12 +21,5 @@ long long roots_decimal_bits(const roots_decimal *d, long long f, long long g);
 /* The magnitude of that integer, least significant limb first, into room for two limbs more than those bits
  * fill.  Returns its length: the last limb is not 0. */
 int roots_decimal_limbs(const roots_decimal *d, long long f, long long g, uint64_t *limbs);
-
-/* The bits of a magnitude, length > 0. */
-int roots_limbs_bits(const uint64_t *limbs, int length);
-
-/* The double nearest to a magnitude times 2^-down, which is less than 2^1023; sets *off where it is rounded.
- */
-double roots_limbs_double(const uint64_t *limbs, int length, int down, int *off);
 
 #endif

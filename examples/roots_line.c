@@ -1,7 +1,7 @@
 /* roots_line.c - see roots_line.h.
  *
- * A line's numbers are exact.  Times one power of ten, and one of two, they are integers; where these fit
- * doubles, doubles it is.
+ * A line's numbers are exact.  Times one power of five, one of two, and the least common multiple of the
+ * denominators, they are integers; where these fit doubles, doubles it is.
  *
  * Of doubles, too, all real roots come from one call, unless a tolerance asks for less. */
 #include "roots_line.h"
@@ -11,6 +11,8 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "roots_limbs.h"
 
 static void complain(roots_complaint *why, const char *format, ...) CLI_FORMAT(2, 3);
 static void complain(roots_complaint *why, const char *format, ...) {
@@ -22,19 +24,40 @@ static void complain(roots_complaint *why, const char *format, ...) {
 
 /* ---- a line becomes a polynomial ---- */
 
-enum { MOST_BITS = 1 << 15 }; /* of an integer: 9800 decimals from the first digit of a line to its last */
-
 static int expected_numbers(int k, const char *got, roots_complaint *why) {
-    complain(why, "coefficient %d: expected a number, or re,im, got '%s'%s", k, cli_quote(got).text,
-             strpbrk(got, "^*") ? "; t^2 - 2 is given as -2 0 1" : "");
+    complain(why, "coefficient %d: expected a number, a fraction as 1/3, or re,im, got '%s'%s", k,
+             cli_quote(got).text, strpbrk(got, "^*") ? "; t^2 - 2 is given as -2 0 1" : "");
+    return 0;
+}
+
+/* The parts of a coefficient. */
+static int read_parts(int k, const char *field, roots_fraction *part, roots_complaint *why) {
+    const char *end = roots_fraction_read(field, &part[0]);
+    (void)roots_fraction_read("0", &part[1]);
+    if (end && *end == ',') end = roots_fraction_read(end + 1, &part[1]);
+    if (!end || *end) return expected_numbers(k, field, why);
+    if (part[0].under.count && part[1].under.count) return 1;
+    complain(why, "coefficient %d: the denominator is 0 in '%s'", k, cli_quote(field).text);
+    return 0;
+}
+
+static int round_fractions(int k, const char *field, double *parts, roots_complaint *why) {
+    roots_fraction f[2];
+    if (!read_parts(k, field, f, why)) return 0;
+    for (int i = 0; i < 2; i++) parts[i] = roots_fraction_double(&f[i]);
+    if (isfinite(parts[0]) && isfinite(parts[1])) return 1;
+    complain(why, "coefficient %d: '%s' is too large, or too long, to be rounded", k, cli_quote(field).text);
     return 0;
 }
 
 static int parse_rounded(char *const *field, roots_polynomial *p, roots_complaint *why) {
     for (int k = 0; k <= p->degree; k++) {
         double parts[2] = {0, 0};
-        if (!cli_numbers(field[k], ',', 1, parts) && !cli_numbers(field[k], ',', 2, parts))
+        if (strchr(field[k], '/')) {
+            if (!round_fractions(k, field[k], parts, why)) return 0;
+        } else if (!cli_numbers(field[k], ',', 1, parts) && !cli_numbers(field[k], ',', 2, parts)) {
             return expected_numbers(k, field[k], why);
+        }
         p->c[k] = (algsurf_complex){parts[0], parts[1]};
         if (parts[1] != 0) p->real = 0;
     }
@@ -42,16 +65,13 @@ static int parse_rounded(char *const *field, roots_polynomial *p, roots_complain
     return 1;
 }
 
-static int read_parts(char *const *field, roots_polynomial *p, roots_complaint *why) {
+static int read_all_parts(char *const *field, roots_polynomial *p, roots_complaint *why) {
     for (int k = 0; k <= p->degree; k++) {
-        roots_decimal *re = p->part + 2 * k, *im = re + 1;
-        const char *end = roots_decimal_read(field[k], re);
-        im->count = 0;
-        if (end && *end == ',') end = roots_decimal_read(end + 1, im);
-        if (!end || *end) return expected_numbers(k, field[k], why);
-        if (im->count) p->real = 0;
+        if (!read_parts(k, field[k], p->part + 2 * k, why)) return 0;
+        if (p->part[2 * k + 1].over.count) p->real = 0;
     }
-    while (p->degree > 0 && !p->part[2 * p->degree].count && !p->part[2 * p->degree + 1].count) p->degree--;
+    while (p->degree > 0 && !p->part[2 * p->degree].over.count && !p->part[2 * p->degree + 1].over.count)
+        p->degree--;
     return 1;
 }
 
@@ -65,30 +85,54 @@ static int room_for(roots_polynomial *p, size_t limbs) {
     return 1;
 }
 
-/* The parts times the least powers of five and of two that make integers of them; lengths have signs. */
-static int to_integers(roots_polynomial *p, algsurf_integer *z, roots_complaint *why) {
-    int parts = 2 * (p->degree + 1);
-    long long fives = LLONG_MAX, twos = LLONG_MAX, bits = 0;
-    for (int i = 0; i < parts; i++) {
-        const roots_decimal *d = p->part + i;
-        if (d->count && d->fives < fives) fives = d->fives;
-        if (d->count && d->twos < twos) twos = d->twos;
+/* What makes integers of all parts: they are multiplied by common 5^-fives 2^-twos. */
+typedef struct multiplier {
+    long long fives, twos;
+    uint64_t common[ROOTS_MOST_LIMBS];
+    int length;
+} multiplier;
+
+static int find_multiplier(roots_polynomial *p, multiplier *by, roots_complaint *why) {
+    *by = (multiplier){.fives = LLONG_MAX, .twos = LLONG_MAX, .common = {1}, .length = 1};
+    for (int i = 0; i < 2 * (p->degree + 1); i++) {
+        roots_fraction *f = p->part + i;
+        if (!f->over.count) continue;
+        by->length = roots_fraction_common(f, by->common, by->length);
+        if (!by->length) {
+            complain(why, "coefficient %d: the common denominator has more than %d decimals", i / 2,
+                     3 * ROOTS_MOST_BITS / 10);
+            return 0;
+        }
+        if (f->over.fives < by->fives) by->fives = f->over.fives;
+        if (f->over.twos < by->twos) by->twos = f->over.twos;
     }
+    return 1;
+}
+
+/* Their lengths have signs. */
+static int to_integers(roots_polynomial *p, algsurf_integer *z, roots_complaint *why) {
+    multiplier by;
+    int parts = 2 * (p->degree + 1);
+    long long bits = 0;
+    if (!find_multiplier(p, &by, why)) return 0;
     for (int i = 0; i < parts; i++) {
-        long long more = roots_decimal_bits(p->part + i, fives, twos);
+        long long more = roots_fraction_bits(p->part + i, by.fives, by.twos, by.common, by.length);
         if (more > bits) bits = more;
     }
-    if (bits > MOST_BITS) {
-        complain(why, "about %lld decimals from the first digit to the last, the limit is %d", 3 * bits / 10,
-                 3 * MOST_BITS / 10);
+    if (bits > ROOTS_MOST_BITS) {
+        complain(why, "about %lld decimals from the first digit to the last%s, the limit is %d",
+                 3 * bits / 10, by.length == 1 && *by.common == 1 ? "" : ", by the common denominator",
+                 3 * ROOTS_MOST_BITS / 10);
         return 0;
     }
-    size_t width = (size_t)bits / 64 + 2;
+    size_t width = (size_t)bits / 64 + 4;
     if (!room_for(p, width * (size_t)parts)) cli_no_memory();
     for (int i = 0; i < parts; i++) {
+        const roots_fraction *f = p->part + i;
         uint64_t *limbs = p->limbs + width * (size_t)i;
-        int length = roots_decimal_limbs(p->part + i, fives, twos, limbs);
-        z[i] = (algsurf_integer){limbs, p->part[i].negative ? -length : length};
+        int length =
+            f->over.count ? roots_fraction_limbs(f, by.fives, by.twos, by.common, by.length, limbs) : 0;
+        z[i] = (algsurf_integer){limbs, f->over.negative ? -length : length};
     }
     return 1;
 }
@@ -117,7 +161,7 @@ static void to_doubles(const algsurf_integer *z, roots_polynomial *p) {
 
 static int parse_exactly(char *const *field, roots_polynomial *p, roots_complaint *why) {
     algsurf_integer z[2 * ROOTS_MAX_FIELDS];
-    if (!read_parts(field, p, why) || !to_integers(p, z, why)) return 0;
+    if (!read_all_parts(field, p, why) || !to_integers(p, z, why)) return 0;
     to_doubles(z, p);
     for (int k = 0; k <= p->degree; k++) p->integer[k] = z[2 * k], p->imaginary[k] = z[2 * k + 1];
     return 1;

@@ -2,7 +2,7 @@
 #ifndef ROOTS_LINE_H
 #define ROOTS_LINE_H
 #include "cli.h"
-#include "roots_decimal.h"
+#include "roots_fraction.h"
 
 enum { ROOTS_MAX_FIELDS = ALGSURF_MAX_POLY_DEGREE + 1 };
 
@@ -18,8 +18,8 @@ typedef struct roots_polynomial {
     algsurf_complex c[ROOTS_MAX_FIELDS]; /* lowest degree first */
     int off;                             /* c is rounded; exact are the integers: */
     algsurf_integer integer[ROOTS_MAX_FIELDS], imaginary[ROOTS_MAX_FIELDS];
-    roots_decimal part[2 * ROOTS_MAX_FIELDS]; /* as the line has it: re, im */
-    uint64_t *limbs;                          /* of the integers; to be freed */
+    roots_fraction part[2 * ROOTS_MAX_FIELDS]; /* as the line has it: re, im */
+    uint64_t *limbs;                           /* of the integers; to be freed */
     size_t capacity;
 } roots_polynomial;
 

@@ -43,4 +43,39 @@ static inline int exact_decimal(mpq_t q, const char *text) {
     return fits;
 }
 
+/* The same of a number, or a quotient of two, which must not divide by 0. */
+static inline int exact_fraction(mpq_t q, const char *text) {
+    const char *slash = strpbrk(text, "/,");
+    int fits = exact_decimal(q, text);
+    if (slash && *slash == '/') {
+        mpq_t under;
+        mpq_init(under);
+        fits = exact_decimal(under, slash + 1) && fits;
+        if (fits) mpq_div(q, q, under);
+        mpq_clear(under);
+    }
+    return fits;
+}
+
+/* Is x the double nearest to q, of two the even one? */
+static inline int exact_is_nearest(double x, const mpq_t q) {
+    mpq_t middle, other;
+    int nearest = 1;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    mpq_inits(middle, other, NULL);
+    for (int side = -1; side <= 1; side += 2) {
+        double next = nextafter(x, side * INFINITY);
+        if (isinf(next)) continue;
+        exact_set(middle, x);
+        exact_set(other, next);
+        mpq_add(middle, middle, other);
+        mpq_div_2exp(middle, middle, 1);
+        int beyond = mpq_cmp(q, middle) * side;
+        if (beyond > 0 || (beyond == 0 && bits & 1)) nearest = 0;
+    }
+    mpq_clears(middle, other, NULL);
+    return nearest;
+}
+
 #endif

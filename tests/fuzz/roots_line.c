@@ -29,10 +29,9 @@ static int judge_is_there(char *const *field, int rounded) {
     mpq_set_ui(common, 1, 1);
     for (int k = 0; k <= n; k++) {
         mpq_init(q[k]);
-        if (rounded)
-            mpq_set_d(q[k], strtod(field[k], NULL));
-        else
-            done = exact_decimal(q[k], field[k]) && done;
+        done = exact_fraction(q[k], field[k]) && done;
+        if (rounded && done && strchr(field[k], '/')) fuzz_check(exact_is_nearest(p.c[k].re, q[k]));
+        if (rounded) mpq_set_d(q[k], strchr(field[k], '/') ? p.c[k].re : strtod(field[k], NULL));
         mpz_lcm(mpq_numref(common), mpq_numref(common), mpq_denref(q[k]));
     }
     for (int k = 0; k <= n; k++) {
