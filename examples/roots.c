@@ -21,7 +21,7 @@
 typedef struct roots_options {
     roots_interval real;
     double tolerance;
-    int rounded, threads;
+    int rounded, threads, digits; /* digits 0: doubles */
     enum { FORMAT_TEXT, FORMAT_TSV, FORMAT_JSON } format;
 } roots_options;
 
@@ -48,6 +48,10 @@ static const cli_option options_table[] = {
      "with --real: how wide the interval about a root may be.  Default 0: as narrow as\n"
      "doubles allow; without --real it always is",
      cli_set_tolerance, FIELD(tolerance)},
+    {"--digits", "N",
+     "so many correct digits of each root, 1 to 100000, in place of doubles.  Of a complex\n"
+     "root, both parts end where the larger one has them",
+     cli_set_int, offsetof(roots_options, digits), 1, 100000},
     {"--coefficients", "exact|rounded",
      "exact (default): decimals and fractions are taken exactly.  rounded: they are rounded\n"
      "to doubles first, and what is proved holds for the rounded polynomial",
@@ -82,7 +86,8 @@ static const cli_program program = {
                 "echo '-4 0 3 0 1' | roots --format tsv\n"
                 "echo '1,2 0 -3.5,0x1p-3' | roots\n"
                 "roots -0.6 1.1 -0.6 0.1\n"
-                "roots -1/147 17/147 -13/21 1",
+                "roots -1/147 17/147 -13/21 1\n"
+                "roots --digits 100 -2 0 1",
 };
 
 enum { MANY_LINES = 256 }; /* for a thread at once */
@@ -109,7 +114,7 @@ static int is_exact(const batch *b, const roots_row *row) {
            found[0].multiplicity == row->multiplicity;
 }
 
-static void write_text(batch *b, size_t line, int count) {
+static void write_head(batch *b, size_t line, int count) {
     const roots_interval *real = &b->options->real;
     roots_text *to = &b->answers;
     roots_add(to, "line %zu: degree %d", line, b->polynomial.degree);
@@ -121,8 +126,12 @@ static void write_text(batch *b, size_t line, int count) {
         roots_add(to, "]");
     }
     roots_add(to, count > 0 ? "\n" : ", no roots\n");
+}
+
+static void write_text(batch *b, size_t line, int count) {
+    write_head(b, line, count);
     for (int i = 0; i < count; i++)
-        roots_write_sentence(to, b->powers, i + 1, &b->rows[i], is_exact(b, &b->rows[i]),
+        roots_write_sentence(&b->answers, b->powers, i + 1, &b->rows[i], is_exact(b, &b->rows[i]),
                              b->options->rounded);
 }
 
@@ -135,30 +144,61 @@ static void write_error(batch *b, size_t line, const roots_complaint *why) {
               line);
 }
 
-static int solve(batch *b, char *const *field, int fields, roots_complaint *why) {
-    const roots_options *o = b->options;
+static int parse(batch *b, char *const *field, int fields, roots_complaint *why) {
     if (fields < 0) {
         *why = (roots_complaint){"a NUL byte: not a text"};
-        return -1;
+        return 0;
     }
-    if (!roots_parse(field, fields, o->rounded, &b->polynomial, why)) return -1;
+    return roots_parse(field, fields, b->options->rounded, &b->polynomial, why);
+}
+
+/* The roots of the polynomial to as many digits as are asked for; 0 and a complaint. */
+static int write_digits(batch *b, size_t line, roots_complaint *why) {
+    const roots_options *o = b->options;
+    algsurf_precise_roots *roots = NULL;
+    int index[ROOTS_MAX_FIELDS];
+    int count = roots_precisely(&b->polynomial, &o->real, roots_digits_bits(o->digits), &roots, index, why);
+    if (count >= 0 && o->format == FORMAT_TEXT) write_head(b, line, count);
+    for (int i = 0; i < count; i++) {
+        algsurf_precise_root r;
+        roots_decimals re, im;
+        (void)algsurf_precise_roots_get(roots, index[i], &r);
+        if (!roots_digits(&r, o->digits, &re, &im)) cli_no_memory();
+        if (o->format == FORMAT_TEXT)
+            roots_write_decimal_sentence(&b->answers, i + 1, &re, &im, r.real, r.multiplicity);
+        else
+            roots_write_decimal_columns(&b->answers, line, i + 1, &re, &im, r.multiplicity);
+        roots_digits_free(&re), roots_digits_free(&im);
+    }
+    algsurf_precise_roots_free(roots);
+    return count >= 0;
+}
+
+static int solve(batch *b, roots_complaint *why) {
+    const roots_options *o = b->options;
     return o->real.given ? roots_real(&b->polynomial, &o->real, o->tolerance, b->rows, why)
                          : roots_all(&b->polynomial, b->rows, why);
 }
 
+/* The same to doubles. */
+static int write_doubles(batch *b, size_t line, roots_complaint *why) {
+    int count = solve(b, why);
+    if (count < 0) return 0;
+    if (b->options->format != FORMAT_TEXT)
+        roots_write_columns(&b->answers, b->powers, line, b->rows, count);
+    else
+        write_text(b, line, count);
+    return 1;
+}
 /* One line of input: rows of output, unless it is blank. */
 static void take_line(batch *b, cli_line *line) {
     char *field[ROOTS_MAX_FIELDS];
     roots_complaint why;
     int fields = cli_split(line, field, ROOTS_MAX_FIELDS);
     if (fields == 0) return;
-    int count = solve(b, field, fields, &why);
-    if (count < 0)
+    if (!parse(b, field, fields, &why) ||
+        !(b->options->digits ? write_digits : write_doubles)(b, line->number, &why))
         write_error(b, line->number, &why);
-    else if (b->options->format != FORMAT_TEXT)
-        roots_write_columns(&b->answers, b->powers, line->number, b->rows, count);
-    else
-        write_text(b, line->number, count);
 }
 
 static void *take_batch(void *data) {
@@ -300,6 +340,10 @@ int main(int argc, char **argv) {
     roots_options options = {.threads = 1};
     shortest_powers powers;
     int coefficients = cli_parse_files(&program, argc, argv, &options);
+    if (options.digits && options.rounded)
+        cli_fail(CLI_BAD_INPUT, "--digits: --coefficients rounded has no more than those of doubles");
+    if (options.digits && options.tolerance > 0)
+        cli_fail(CLI_BAD_INPUT, "--digits and --tolerance: one of them");
     const int lines = options.threads > 1 ? MANY_LINES : 1;
     batch *b = calloc((size_t)options.threads, sizeof *b);
     if (!b) cli_no_memory();

@@ -252,3 +252,33 @@ int roots_real(const roots_polynomial *p, const roots_interval *where, double to
     return tolerance > 0 && !p->off ? real_to_tolerance(p, where, tolerance, rows, why)
                                     : real_to_doubles(p, where, rows, why);
 }
+
+/* How many real roots there are, and how many of all are below lo; -1 and a complaint. */
+static int count_real(const roots_polynomial *p, const roots_interval *where, int *below,
+                      roots_complaint *why) {
+    roots_row rows[ROOTS_MAX_FIELDS];
+    const roots_interval left = {-HUGE_VAL, where->lo, 1}, here = {where->lo, where->lo, 1};
+    *below = 0;
+    if (isfinite(where->lo)) {
+        int to_lo = roots_real(p, &left, 0, rows, why), at_lo = roots_real(p, &here, 0, rows, why);
+        if (to_lo < 0 || at_lo < 0) return -1;
+        *below = to_lo - at_lo;
+    }
+    return roots_real(p, where, 0, rows, why);
+}
+
+int roots_precisely(const roots_polynomial *p, const roots_interval *where, int bits,
+                    algsurf_precise_roots **roots, int *index, roots_complaint *why) {
+    int wanted = ALGSURF_MAX_POLY_DEGREE, below = 0, count = 0;
+    if (where->given && (wanted = count_real(p, where, &below, why)) < 0) return -1;
+    algsurf_status status =
+        algsurf_precise_roots_create(p->integer, p->real ? NULL : p->imaginary, p->degree, bits, 0, roots);
+    if (status != ALGSURF_OK) return refused(status, why);
+    for (int i = 0; i < algsurf_precise_roots_count(*roots) && count < wanted; i++) {
+        algsurf_precise_root r;
+        (void)algsurf_precise_roots_get(*roots, i, &r);
+        if (where->given && (!r.real || below-- > 0)) continue;
+        index[count++] = i;
+    }
+    return count;
+}

@@ -48,4 +48,10 @@ int roots_all(const roots_polynomial *p, roots_row *rows, roots_complaint *why);
 int roots_real(const roots_polynomial *p, const roots_interval *where, double tolerance, roots_row *rows,
                roots_complaint *why);
 
+/* The roots of an exact polynomial to so many bits: all, or the real ones in an interval if it is given.
+ * Their numbers go to index; *roots is to be freed where there are any.  Returns how many, -1 and a complaint
+ * when there is no answer. */
+int roots_precisely(const roots_polynomial *p, const roots_interval *where, int bits,
+                    algsurf_precise_roots **roots, int *index, roots_complaint *why);
+
 #endif

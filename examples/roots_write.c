@@ -90,3 +90,44 @@ void roots_write_sentence(roots_text *to, const shortest_powers *powers, int ind
     if (row->multiplicity > 1) roots_add(to, ", %d roots", row->multiplicity);
     add_text(to, rounded ? ", verified for the rounded polynomial\n" : ", verified\n");
 }
+
+void roots_write_decimal_columns(roots_text *to, size_t line, int index, const roots_decimals *re,
+                                 const roots_decimals *im, int multiplicity) {
+    const char *const numbers[6] = {re->value, im->value, re->lo, re->hi, im->lo, im->hi};
+    add_whole(to, line);
+    add_text(to, "\t");
+    add_whole(to, (size_t)index);
+    for (int k = 0; k < 6; k++) add_text(to, "\t"), add_text(to, numbers[k]);
+    roots_add(to, "\t%d\t1\n", multiplicity);
+}
+
+static void add_decimals(roots_text *to, const roots_decimals *d) {
+    add_text(to, "[");
+    add_text(to, d->lo);
+    add_text(to, ", ");
+    add_text(to, d->hi);
+    add_text(to, "]");
+}
+
+static int is_one(const roots_decimals *d) { return strcmp(d->lo, d->hi) == 0; }
+
+void roots_write_decimal_sentence(roots_text *to, int index, const roots_decimals *re,
+                                  const roots_decimals *im, int real, int multiplicity) {
+    const int exact = is_one(re) && is_one(im);
+    roots_add(to, "%5d  %-7s  ", index, real ? "real" : "complex");
+    add_text(to, re->value);
+    if (!real) {
+        add_text(to, im->value[0] == '-' ? " " : " +");
+        add_text(to, im->value);
+        add_text(to, " i");
+    }
+    add_text(to, exact ? "   exactly" : "   in ");
+    if (!exact) add_decimals(to, re);
+    if (!real && !exact) {
+        add_text(to, " + ");
+        add_decimals(to, im);
+        add_text(to, " i");
+    }
+    if (multiplicity > 1) roots_add(to, ", %d roots", multiplicity);
+    add_text(to, ", verified\n");
+}
