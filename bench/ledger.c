@@ -148,14 +148,15 @@ static void make_kameny(int n, double *c) {
     c[0] = c[n] = 1, c[n - 1] = 40000, c[n - 2] = 400000000;
 }
 
-/* "random40": coefficients in [-1,1]; "power24": t^24 - a; "legendre20"; "kameny24"; else those along the
- * rays of a surface.  Returns the degree. */
+/* "random40": coefficients in [-1,1]; "wide40": times 2^-300 to 2^300; "power24": t^24 - a; "legendre20";
+ * "kameny24"; else those along the rays of a surface.  Returns the degree. */
 static int make_polynomials(const char *name, double *c) {
     const int power = number_of(name, "power"), legendre = number_of(name, "legendre"),
-              kameny = number_of(name, "kameny");
+              kameny = number_of(name, "kameny"), wide = number_of(name, "wide");
     const int n = power > 0      ? power
                   : legendre > 0 ? legendre
                   : kameny > 2   ? kameny
+                  : wide > 0     ? wide
                                  : number_of(name, "random");
     measure_random random = {1};
     if (n < 0) {
@@ -167,10 +168,11 @@ static int make_polynomials(const char *name, double *c) {
         if (legendre > 0) make_legendre(n, c);
         if (kameny > 0) make_kameny(n, c);
         for (int k = 0; k <= n && legendre < 0 && kameny < 0; k++)
-            c[k] = power < 0 ? measure_uniform(&random, -1, 1)
-                   : k == n  ? 1
-                   : k       ? 0
-                             : -measure_uniform(&random, 0.1, 2);
+            c[k] = wide > 0 ? ldexp(measure_uniform(&random, -1, 1), (int)measure_uniform(&random, -300, 300))
+                   : power < 0 ? measure_uniform(&random, -1, 1)
+                   : k == n    ? 1
+                   : k         ? 0
+                               : -measure_uniform(&random, 0.1, 2);
     }
     return n;
 }
