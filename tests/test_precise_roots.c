@@ -194,23 +194,6 @@ TEST(random_ones) {
     }
 }
 
-/* Roots of different factors that are closer than the bits asked for tell: (2^k z - 1)^2 (2^k z - 1 - 2^-j).
- */
-TEST(close_roots_of_different_factors) {
-    for (int j = 10; j < 60; j += 12) {
-        poly *f[FACTORS] = {make(0), make(0)}, *p;
-        const int m[FACTORS] = {1, 2};
-        mpz_set_ui(f[0]->re[0], 1), mpz_set_ui(f[1]->re[0], 1);
-        f[0] = times_root(f[0], (1L << j) + 1, 0, 3L << j);
-        f[1] = times_root(f[1], 1, 0, 3);
-        poly *square = product(f[1], f[1]);
-        p = product(square, f[0]);
-        set_precision(4096);
-        judge("close roots", p, (const poly *const *)f, m, 2);
-        drop(f[0]), drop(f[1]), drop(square), drop(p);
-    }
-}
-
 /* p times (3 2^k z - (2^k + 3 (a + ib))): the root 1/3 + (a + ib) 2^-k. */
 static poly *times_close_root(poly *p, int k, int a, int b) {
     poly *f = make(1);
@@ -221,6 +204,25 @@ static poly *times_close_root(poly *p, int k, int a, int b) {
     poly *q = product(p, f);
     drop(f), drop(p);
     return q;
+}
+
+/* Roots of different factors, closer than the bits asked for tell: a double one and a simple one; a real one
+ * and a complex one, both simple, beside a double one far away. */
+TEST(close_roots_of_different_factors) {
+    static const int gap[] = {20, 100, 300};
+    for (int i = 0; i < 3; i++)
+        for (int complex = 0; complex < 2; complex++) {
+            poly *f[FACTORS] = {make(0), make(0)};
+            const int m[FACTORS] = {1, 2};
+            mpz_set_ui(f[0]->re[0], 1), mpz_set_ui(f[1]->re[0], 1);
+            f[0] = times_close_root(f[0], gap[i], !complex, complex);
+            if (complex) f[0] = times_root(f[0], 1, 0, 3);
+            f[1] = complex ? times_root(f[1], 5, 1, 1) : times_root(f[1], 1, 0, 3);
+            poly *square = product(f[1], f[1]), *p = product(square, f[0]);
+            set_precision(4096);
+            judge("close roots", p, (const poly *const *)f, m, 2);
+            drop(f[0]), drop(f[1]), drop(square), drop(p);
+        }
 }
 
 /* 2 to 20 roots 2^-30 to 2^-300 apart, real and complex ones, and others far away. */

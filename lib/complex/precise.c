@@ -21,11 +21,12 @@
 /* A root as it comes, in memory of its own. */
 typedef struct entry {
     algsurf_i_point z;
-    int radius, multiplicity, real;
+    int radius, multiplicity, real, factor;
 } entry;
 
 struct algsurf_precise_roots {
-    int bits, count, failed; /* failed: a root could not be told from another */
+    int bits, count, factors; /* factors: so many have delivered their roots */
+    int failed;               /* a root could not be told from another */
     entry *found;
     algsurf_precise_root *root; /* in order */
 };
@@ -51,7 +52,7 @@ static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scal
     entry *e = to->found + to->count;
     const int exact = algsurf_i_scaled_is_zero(R);
     const int64_t low = exact ? z->exponent : R.exponent - 10;
-    *e = (entry){.multiplicity = multiplicity, .real = real};
+    *e = (entry){.multiplicity = multiplicity, .real = real, .factor = to->factors};
     if (!copy_of(z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
     if (!exact) e->radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
     to->count++;
@@ -79,6 +80,7 @@ int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_
         if (!algsurf_i_set_conjugate(d->m, &x, &x) || !add(to, &x, R, multiplicity, 0)) return 0;
     }
     answer->count = to->count;
+    to->factors++;
     return 1;
 }
 
@@ -98,7 +100,7 @@ static int meet(algsurf_memory *m, const entry *a, const entry *b) {
 static int any_meet(algsurf_memory *m, const algsurf_precise_roots *r) {
     for (int i = 0; i < r->count; i++)
         for (int j = 0; j < i; j++) {
-            if (r->found[i].multiplicity == r->found[j].multiplicity) continue;
+            if (r->found[i].factor == r->found[j].factor) continue;
             int answer = meet(m, r->found + i, r->found + j);
             if (answer) return answer;
         }
