@@ -26,7 +26,7 @@ static const char *four_digits(double x, char text[16]) {
 
 static void print_row(const contest_row *r, double times, int marked) {
     char median[16], least[16], most[16], ratio[16];
-    printf("%-12s %6d  %-22s %9s %9s %9s %8s %7zu %7zu %7zu %8.1e%s\n", r->task, r->degree, r->program,
+    printf("%-14s %6d  %-22s %9s %9s %9s %8s %7zu %7zu %7zu %8.1e%s\n", r->task, r->degree, r->program,
            four_digits(r->median, median), four_digits(r->least, least), four_digits(r->most, most),
            four_digits(times, ratio), r->count, r->missed, r->extra, r->error, marked ? " *" : "");
 }
@@ -37,7 +37,7 @@ static void print_chapter(const contest_chapter *c, const contest_table *t) {
         if (strcmp(r->section, c->section) != 0) continue;
         if (!some++) {
             printf("\n%s\n\n", c->title);
-            printf("%-12s %6s  %-22s %6s %s %9s %9s %8s %7s %7s %7s %8s\n", "task", "degree", "program",
+            printf("%-14s %6s  %-22s %6s %s %9s %9s %8s %7s %7s %7s %8s\n", "task", "degree", "program",
                    "median", c->unit, "min", "max", "times", c->count, c->missed, c->extra, c->error);
         }
         print_row(r, r->median / own_time(t, r), c->most_error > 0 && r->error > c->most_error);

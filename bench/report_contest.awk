@@ -2,7 +2,8 @@
 BEGIN {
     split("pictures:Pictures:pixels;first root:First real roots:roots;interval:All real roots in an interval:roots;" \
         "isolated:Real roots on the line, isolated:polynomials;counted:Real roots counted:polynomials;" \
-        "all roots:All complex roots:roots;complex pictures:Pictures of complex space:", word, ";")
+        "all roots:All complex roots:roots;real families:All complex roots of families with real roots:roots;" \
+        "families:All complex roots of other families:roots;complex pictures:Pictures of complex space:", word, ";")
     for (i in word) {
         split(word[i], part, ":")
         title[part[1]] = part[2]

@@ -3,13 +3,15 @@
 #define ROOTS_H
 #include "algsurf/algsurf.h"
 #include "contest.h"
+#include "roots_others.h"
 
 /* How much is done. */
 typedef struct roots_effort {
     int takes;
     size_t real, complex; /* polynomials in a set */
     double budget;        /* seconds that a take of one contestant may last, more or less */
-    int most_degree;      /* of random polynomials */
+    int most_degree;      /* of random polynomials; eight times as much of families */
+    int patience;         /* seconds that a program has for a polynomial of a family */
 } roots_effort;
 
 /* The contests, each a section of the table or two. */
@@ -17,7 +19,14 @@ void roots_first(const roots_effort *effort, contest_table *table);
 void roots_interval(const roots_effort *effort, contest_table *table);
 void roots_line(const roots_effort *effort, contest_table *table);
 void roots_complex(const roots_effort *effort, contest_table *table);
+void roots_families(const roots_effort *effort, contest_table *table);
 void roots_pictures(const roots_effort *effort, contest_table *table);
+
+/* Counts roots that are in no box, and boxes that are left without, in the row, and the largest error of
+ * simple roots.  A disc must reach the box, a root without a disc must come within 1e-6 of it: of its size,
+ * or of `unit` where that is larger. */
+void roots_judge(const algsurf_complex_root *box, int boxes, const other_root *root, int roots, double unit,
+                 contest_row *row);
 
 enum { ROOTS_AT_ONCE = 1024, ROOTS_FEW = 8 }; /* polynomials in a packet */
 

@@ -2,9 +2,12 @@
  *
  * Real roots go by the polynomial with integer coefficients that is an exact multiple of the one
  * given, squarefree factors first: whether a root is real is then proved, and roots may be multiple.  All
- * roots go by acb_poly_find_roots, in a precision doubled until each is isolated and known to 53 bits.
+ * roots go by acb_poly_find_roots, in a precision doubled until each is isolated and known to 53 bits; of
+ * real integers, by arb_fmpz_poly_complex_roots.
  */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
@@ -64,14 +67,14 @@ static int known(acb_srcptr balls, slong count) {
     return 1;
 }
 
-int by_arb_all(const double *re, const double *im, int degree, other_root *roots) {
+/* To 53 bits each. */
+static int find_roots(const acb_poly_t exact, slong most_bits, int degree, other_root *roots) {
     acb_poly_t p;
     acb_ptr balls = _acb_vec_init(degree);
     slong isolated = 0;
-    acb_poly_init2(p, degree + 1);
-    for (int k = 0; k <= degree; k++) acb_set_d_d(p->coeffs + k, re[k], im ? im[k] : 0);
-    _acb_poly_set_length(p, degree + 1);
-    for (slong precision = FIRST_PRECISION; precision <= LAST_PRECISION; precision *= 2) {
+    acb_poly_init(p);
+    for (slong precision = FIRST_PRECISION; precision <= most_bits; precision *= 2) {
+        acb_poly_set_round(p, exact, precision);
         isolated = acb_poly_find_roots(balls, p, precision > FIRST_PRECISION ? balls : NULL, 0, precision);
         if (isolated == degree && known(balls, degree)) break;
     }
@@ -79,4 +82,50 @@ int by_arb_all(const double *re, const double *im, int degree, other_root *roots
     _acb_vec_clear(balls, degree);
     acb_poly_clear(p);
     return (int)isolated;
+}
+
+int by_arb_all(const double *re, const double *im, int degree, other_root *roots) {
+    acb_poly_t p;
+    acb_poly_init2(p, degree + 1);
+    for (int k = 0; k <= degree; k++) acb_set_d_d(p->coeffs + k, re[k], im ? im[k] : 0);
+    _acb_poly_set_length(p, degree + 1);
+    int count = find_roots(p, LAST_PRECISION, degree, roots);
+    acb_poly_clear(p);
+    return count;
+}
+
+static void set_part(fmpz_poly_t p, const algsurf_integer *z, int degree) {
+    fmpz_t c;
+    fmpz_init(c);
+    for (int k = degree; k >= 0; k--) {
+        fmpz_set_ui_array(c, (const ulong *)z[k].limbs, abs(z[k].length));
+        if (z[k].length < 0) fmpz_neg(c, c);
+        if (z[k].length) fmpz_poly_set_coeff_fmpz(p, k, c);
+    }
+    fmpz_clear(c);
+}
+
+/* Squarefree factors, which only polynomials over the integers have here. */
+int by_arb_integers(const algsurf_integer *re, const algsurf_integer *im, int degree, other_root *roots) {
+    fmpz_poly_t real, imaginary;
+    fmpz_poly_factor_t factors;
+    acb_poly_t p;
+    int count = 0;
+    fmpz_poly_init(real), fmpz_poly_init(imaginary), fmpz_poly_factor_init(factors), acb_poly_init(p);
+    set_part(real, re, degree);
+    if (im) {
+        set_part(imaginary, im, degree);
+        acb_poly_set2_fmpz_poly(p, real, imaginary, 2 * LAST_PRECISION);
+        count = find_roots(p, LAST_PRECISION, degree, roots);
+    } else {
+        fmpz_poly_factor_squarefree(factors, real);
+        for (slong i = 0; i < factors->num; i++) {
+            int some = roots_of_factor(factors->p + i, roots + count);
+            for (slong times = 1; times < factors->exp[i]; times++)
+                memcpy(roots + count + some * times, roots + count, (size_t)some * sizeof *roots);
+            count += some * (int)factors->exp[i];
+        }
+    }
+    fmpz_poly_clear(real), fmpz_poly_clear(imaginary), fmpz_poly_factor_clear(factors), acb_poly_clear(p);
+    return count;
 }

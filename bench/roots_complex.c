@@ -1,9 +1,8 @@
 /* roots_complex.c - all complex roots of a polynomial, by this library and by others.
  *
  * This library's boxes are proved to hold the roots; so are Arb's balls.  Each of the others' roots is
- * matched with a box, and each box takes as many roots as it holds: a disc must reach the box, a root without
- * a disc must come within 1e-6 of it (relative to 1 or its size).  Where Arb and this library contradict each
- * other there is no table; of the others, roots are counted that match no box, and boxes left without.
+ * matched with a box, and each box takes as many roots as it holds.  Where Arb and this library contradict
+ * each other there is no table; of the others, roots are counted that match no box, and boxes left without.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -73,18 +72,19 @@ static double outside(algsurf_interval interval, double x) {
     return fmax(0, fmax(interval.lo - x, x - interval.hi));
 }
 
-static double reach(const other_root *root) {
+static double reach(const other_root *root, double unit) {
     double size = hypot(root->re, root->im);
-    return isnan(root->radius) ? RIGHT * fmax(1, size) : root->radius + ROUNDING * size;
+    return isnan(root->radius) ? RIGHT * fmax(unit, size) : root->radius + ROUNDING * size;
 }
 
 /* The nearest root without a box that reaches this one; -1: none. */
-static int nearest(const algsurf_complex_root *own, const other_root *root, const char *taken, int roots) {
+static int nearest(const algsurf_complex_root *own, const other_root *root, const char *taken, int roots,
+                   double unit) {
     double least = INFINITY;
     int best = -1;
     for (int k = 0; k < roots; k++) {
         double away = hypot(outside(own->box.re, root[k].re), outside(own->box.im, root[k].im));
-        if (taken[k] || !(away <= reach(&root[k])) || away >= least) continue;
+        if (taken[k] || !(away <= reach(&root[k], unit)) || away >= least) continue;
         least = away;
         best = k;
     }
@@ -100,15 +100,13 @@ static void compare_packets(const roots_set *on, size_t count) {
             cli_fail(CLI_BROKEN, "%s, polynomial %zu: packets and single calls differ", on->name, i);
 }
 
-static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
-    size_t n = (size_t)s->on->degree;
-    const algsurf_complex_root *own = box + i * n;
-    const other_root *root = s->root + i * n;
-    char taken[ALGSURF_MAX_DEGREE] = {0};
+void roots_judge(const algsurf_complex_root *own, int count, const other_root *root, int roots, double unit,
+                 contest_row *row) {
+    char taken[ALGSURF_MAX_POLY_DEGREE] = {0};
     int matched = 0;
-    for (int b = 0; b < boxes[i]; b++)
+    for (int b = 0; b < count; b++)
         for (int m = 0; m < own[b].multiplicity; m++) {
-            int k = nearest(&own[b], root, taken, s->roots[i]);
+            int k = nearest(&own[b], root, taken, roots, unit);
             if (k < 0) {
                 row->missed++;
                 continue;
@@ -117,9 +115,14 @@ static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
             matched++;
             double off = hypot(root[k].re - own[b].root.re, root[k].im - own[b].root.im);
             if (own[b].multiplicity == 1)
-                row->error = fmax(row->error, off / fmax(1, hypot(root[k].re, root[k].im)));
+                row->error = fmax(row->error, off / fmax(unit, hypot(root[k].re, root[k].im)));
         }
-    row->extra += (size_t)(s->roots[i] - matched);
+    row->extra += (size_t)(roots - matched);
+}
+
+static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
+    size_t n = (size_t)s->on->degree;
+    roots_judge(box + i * n, boxes[i], s->root + i * n, s->roots[i], 1, row);
     if (s->proves && row->missed + row->extra > 0)
         cli_fail(CLI_BROKEN, "%s, polynomial %zu: %s and algsurf contradict each other", s->on->name, i,
                  s->program);

@@ -2,10 +2,12 @@
  * those that are installed are compiled (see bench/roots).
  *
  * Coefficients come lowest degree first, the leading one is not 0; degree <= ALGSURF_MAX_DEGREE where roots
- * are wanted.
+ * of doubles are wanted.
  */
 #ifndef ROOTS_OTHERS_H
 #define ROOTS_OTHERS_H
+#include "algsurf/poly.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,11 +32,17 @@ typedef double other_refine(const double *c, int degree, double lo, double hi, d
 /* All roots, by multiplicity; returns how many came.  im null: the coefficients are real. */
 typedef int other_all(const double *re, const double *im, int degree, other_root *roots);
 
+/* The same for integers of any length; degree <= ALGSURF_MAX_POLY_DEGREE. */
+typedef int other_integers(const algsurf_integer *re, const algsurf_integer *im, int degree,
+                           other_root *roots);
+
 other_first by_gsl_first, by_pari_first, by_cy_first;
 other_interval by_gsl_interval, by_arb_interval, by_pari_interval, by_cy_interval;
 other_line by_flint_isolated, by_flint_counted, by_pari_isolated, by_pari_counted;
 other_refine by_toms748;
 other_all by_gsl_all, by_arb_all, by_mpsolve_isolate, by_mpsolve_approximate, by_pari_all;
+other_integers by_arb_integers, by_pari_integers, by_mpsolve_secular_isolate, by_mpsolve_secular_approximate,
+    by_mpsolve_classic_isolate, by_mpsolve_classic_approximate;
 
 /* Those in [-1,1] among all roots, in increasing order: those count as real whose imaginary part is exactly
  * 0. */

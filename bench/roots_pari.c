@@ -7,7 +7,7 @@
 #include "algsurf/status.h"
 #include "roots_others.h"
 
-enum { STACK = 64 << 20, PRIMES = 2 };
+enum { STACK = 512 << 20, PRIMES = 2 };
 
 static void start(void) {
     static int started;
@@ -80,6 +80,13 @@ int by_pari_counted(const double *c, int degree) {
     return count;
 }
 
+static int all_roots(GEN p, other_root *answer) {
+    GEN found = roots(normalizepol(p), DEFAULTPREC);
+    for (long i = 1; i < lg(found); i++)
+        answer[i - 1] = (other_root){gtodouble(greal(gel(found, i))), gtodouble(gimag(gel(found, i))), NAN};
+    return (int)lg(found) - 1;
+}
+
 int by_pari_all(const double *re, const double *im, int degree, other_root *answer) {
     volatile int count = 0;
     start();
@@ -88,11 +95,32 @@ int by_pari_all(const double *re, const double *im, int degree, other_root *answ
     pari_TRY {
         GEN p = polynomial(degree);
         for (int k = 0; k <= degree; k++) gel(p, k + 2) = approximate(re[k], im ? im[k] : 0);
-        GEN found = roots(normalizepol(p), DEFAULTPREC);
-        for (long i = 1; i < lg(found); i++)
-            answer[i - 1] =
-                (other_root){gtodouble(greal(gel(found, i))), gtodouble(gimag(gel(found, i))), NAN};
-        count = (int)lg(found) - 1;
+        count = all_roots(p, answer);
+    }
+    pari_ENDCATCH;
+    set_avma(before);
+    return count;
+}
+
+static GEN integer(const algsurf_integer *z) {
+    GEN value = gen_0;
+    for (int i = labs(z->length) - 1; i >= 0; i--)
+        for (int shift = 32; shift >= 0; shift -= 32)
+            value = addiu(shifti(value, 32), (ulong)(z->limbs[i] >> shift & UINT32_MAX));
+    return z->length < 0 ? negi(value) : value;
+}
+
+int by_pari_integers(const algsurf_integer *re, const algsurf_integer *im, int degree, other_root *answer) {
+    volatile int count = 0;
+    start();
+    pari_sp before = avma;
+    pari_CATCH(CATCH_ALL) { count = 0; }
+    pari_TRY {
+        GEN p = polynomial(degree);
+        for (int k = 0; k <= degree; k++)
+            gel(p, k + 2) =
+                im && im[k].length ? mkcomplex(integer(&re[k]), integer(&im[k])) : integer(&re[k]);
+        count = all_roots(p, answer);
     }
     pari_ENDCATCH;
     set_avma(before);
