@@ -191,13 +191,15 @@ static void break_rays(void) {
 static void break_ray(void);
 TABLE(ray)
 
-static void wrong_ray_solve(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits) {
-    real_ray->first(job, hits);
-    if (hits->t) *hits->t = other(*hits->t);
+static int wrong_ray_all(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
+                         algsurf_hit *hits) {
+    int count = real_ray->all(job, how, most, hits);
+    for (int i = 0; i < count && !job->any; i++) hits[i].t = other(hits[i].t);
+    return count;
 }
 
 static void break_ray(void) {
-    if (broken == ONE_RAY) wrong_ray.first = wrong_ray_solve;
+    if (broken == ONE_RAY) wrong_ray.all = wrong_ray_all;
 }
 
 static void break_beams(void);

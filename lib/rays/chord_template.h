@@ -74,26 +74,24 @@ INLINE mask active_lanes(const unsigned char *active, int count) {
     return less(all_lanes(0), load(on));
 }
 
-INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, const places *w, double scale) {
-    ray_lanes r;
+INLINE void load_rays(const algsurf_i_rays_job *job, const places *w, double scale, ray_lanes *r) {
     for (int i = 0; i < 3; i++) {
-        r.origin[i] = scale * load_number(job->rays->origin[i], w, i);
-        r.direction[i] = load_number(job->rays->direction[i], w, 3 + i);
+        r->origin[i] = scale * load_number(job->rays->origin[i], w, i);
+        r->direction[i] = load_number(job->rays->direction[i], w, 3 + i);
     }
-    lanes shrink = scale_of(r.direction);
-    for (int i = 0; i < 3; i++) r.direction[i] *= shrink;
-    r.unit = 1 / scale;
-    r.t_unit = shrink * r.unit;
-    lanes inverse = (lanes)(0x7fe0000000000000u - (words)r.t_unit);
-    mask plain = less(all_lanes(LEAST_UNIT), r.t_unit) & less(r.t_unit, all_lanes(MOST_UNIT));
-    plain &= less(largest_of(r.origin), all_lanes(FARTHEST));
-    r.near = job->rays->t_min ? inverse * load_number(job->rays->t_min, w, 6) : all_lanes(0);
-    r.far = job->rays->t_max ? inverse * load_number(job->rays->t_max, w, 7) : all_lanes(HUGE_VAL);
-    r.off = all_lanes(0);
-    r.open = active_lanes(job->rays->active && !w->listed ? job->rays->active + w->ray[0] : NULL, w->count);
-    r.undecided = r.open & ~plain;
-    r.open &= plain;
-    return r;
+    lanes shrink = scale_of(r->direction);
+    for (int i = 0; i < 3; i++) r->direction[i] *= shrink;
+    r->unit = 1 / scale;
+    r->t_unit = shrink * r->unit;
+    lanes inverse = (lanes)(0x7fe0000000000000u - (words)r->t_unit);
+    mask plain = less(all_lanes(LEAST_UNIT), r->t_unit) & less(r->t_unit, all_lanes(MOST_UNIT));
+    plain &= less(largest_of(r->origin), all_lanes(FARTHEST));
+    r->near = job->rays->t_min ? inverse * load_number(job->rays->t_min, w, 6) : all_lanes(0);
+    r->far = job->rays->t_max ? inverse * load_number(job->rays->t_max, w, 7) : all_lanes(HUGE_VAL);
+    r->off = all_lanes(0);
+    r->open = active_lanes(job->rays->active && !w->listed ? job->rays->active + w->ray[0] : NULL, w->count);
+    r->undecided = r->open & ~plain;
+    r->open &= plain;
 }
 
 /* Cuts off what is outside of [near, far]. */

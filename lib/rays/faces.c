@@ -1,10 +1,12 @@
 /* rays/faces.c - the faces of a ball or a box, and planes, along a ray, without rounding.
  *
- * All doubles that are added are brought to their lowest common bit 2^-shift; then everything is integers:
- * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 of a ball.  Of what is flat, normals have a lowest bit of
- * their own, and so have the points o + 2^e d u; offsets have the bits of products. */
+ * What is flat is a surface of degree 1 (surface/exact_form.h).  Of a ball all doubles are brought to their
+ * lowest common bit 2^-shift; then everything is integers: l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2. */
 #include "../base/arithmetic.h"
 #include "faces.h"
+
+#include "../surface/exact_form.h"
+#include "../surface/impl.h"
 
 /* Doubles that are added up: bits from the lowest of all to the highest, 0 if there are none but zeros. */
 typedef struct range {
@@ -15,18 +17,10 @@ static void include(range *all, double x, int e) {
     int low, top;
     if (x == 0) return;
     algsurf_limb odd = algsurf_z_odd_part(x, &low);
-    low += e, top = low + algsurf_z_bits((algsurf_limb[2]){odd, 0}, 2);
+    low += e, top = low + algsurf_limb_bits(odd);
     if (all->empty || low < all->low) all->low = low;
     if (all->empty || top > all->top) all->top = top;
     all->empty = 0;
-}
-
-/* Compact, and what it does not need then is given back; it is the last that was taken. */
-static void settle(algsurf_memory *m, algsurf_zpoly *p) {
-    algsurf_memory_mark kept = algsurf_memory_here(m);
-    algsurf_zpoly_compact(p);
-    kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width;
-    algsurf_memory_release(m, kept);
 }
 
 /* face -= or += (a + b u)^2, the magnitudes of a and b in room for 2 w limbs. */
@@ -67,52 +61,22 @@ static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[
         add_square(face, a, b, w, i < 3, a + 2 * w);
     }
     algsurf_memory_release(m, work);
-    settle(m, face);
+    algsurf_zpoly_compact(face);
+    work.at = face->c + (size_t)(face->degree + 1) * (size_t)face->width; /* what it needs of its room */
+    algsurf_memory_release(m, work);
     return 1;
 }
 
-/* An integer of w limbs, x 2^shift. */
-static const algsurf_limb *integer_of(double x, int shift, int w, algsurf_limb *room) {
-    algsurf_z_zero(room, w);
-    algsurf_z_add_double(room, w, x, shift);
-    return room;
-}
-
-/* The points X with n.X <= a + b. */
+/* The points X with n.X <= a + b: the surface a + b - n.X, where it is not negative. */
 static int flat(algsurf_memory *m, const double normal[3], double a, double b, const double origin[3],
                 const double direction[3], int e, algsurf_zpoly *face) {
-    range normals = {0, 0, 1}, points = {0, 0, 1}, offset = {0, 0, 1};
-    algsurf_memory_mark before = algsurf_memory_here(m);
-    for (int i = 0; i < 3; i++) {
-        if (normal[i] == 0) continue;
-        include(&normals, normal[i], 0), include(&points, origin[i], 0), include(&points, direction[i], e);
-    }
-    include(&offset, a, 0), include(&offset, b, 0);
-    if (!offset.empty && offset.low - normals.low < points.low) points.low = offset.low - normals.low;
-    int low = normals.low + points.low, top = normals.top + points.top;
-    if (!offset.empty && offset.top > top) top = offset.top;
-    /* four summands: a product of each axis, and one offset; or of one axis, and two */
-    int wn = algsurf_z_width(normals.top - normals.low), wp = algsurf_z_width(points.top - points.low);
-    if (!algsurf_zpoly_new(m, 1, algsurf_z_width(top - low + 2), face)) return 0;
-    algsurf_memory_mark work = algsurf_memory_here(m);
-    algsurf_limb *n = algsurf_memory_take(m, 2 * (size_t)wn + (size_t)wp);
-    if (!n) {
-        algsurf_memory_release(m, before);
-        return 0;
-    }
-    algsurf_limb *x = n + 2 * wn, *c0 = algsurf_zpoly_at(face, 0), *c1 = algsurf_zpoly_at(face, 1);
-    algsurf_z_add_double(c0, face->width, a, -low);
-    algsurf_z_add_double(c0, face->width, b, -low);
-    for (int i = 0; i < 3; i++) {
-        if (normal[i] == 0) continue;
-        const algsurf_limb *factor = integer_of(normal[i], -normals.low, wn, n);
-        const algsurf_z_factor f = algsurf_z_factor_of(factor, wn, n + wn);
-        algsurf_z_add_times(c0, face->width, integer_of(origin[i], -points.low, wp, x), wp, &f, 1);
-        algsurf_z_add_times(c1, face->width, integer_of(direction[i], e - points.low, wp, x), wp, &f, 1);
-    }
-    algsurf_memory_release(m, work);
-    settle(m, face);
-    return 1;
+    const algsurf_term all[] = {
+        {0, 0, 1, -normal[2]}, {0, 1, 0, -normal[1]}, {1, 0, 0, -normal[0]}, {0, 0, 0, a}, {0, 0, 0, b}};
+    algsurf_term terms[5];
+    algsurf_surface plane = {.degree = 1, .terms = terms};
+    for (int i = 0; i < 5; i++)
+        if (all[i].a != 0) terms[plane.term_count++] = all[i];
+    return algsurf_i_exact_form(m, &plane, origin, direction, e, face, NULL);
 }
 
 /* +-(X_i - c_i) <= h. */

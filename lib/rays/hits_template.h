@@ -6,6 +6,7 @@
 #include "chord_template.h"
 #include "nodes_template.h"
 
+#define ROOT_ERROR 0x1p-44        /* in chords: the step on P itself is to be the last one */
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 

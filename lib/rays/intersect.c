@@ -1,7 +1,7 @@
 /* intersect.c - a single ray's first hit, all of its hits, occluded or not: roots become hits.
  *
- * The first hit, and occlusion, are here for the rays that the packet code leaves alone (packet.c).
- */
+ * A ray alone has the packet code's answers for one lane (one_ray_template.h), and where these are undecided
+ * those of integers (exact_ray.c), as have the rays that packets leave undecided (packet.c). */
 #include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
@@ -87,17 +87,25 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
     for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(ray, i, t);
 }
 
-/* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
-static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int most, algsurf_hit *hits) {
+/* One lane's answer: the hits that are wanted, or -1 where they are undecided. */
+static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want,
+                        algsurf_hit *hits) {
     const algsurf_intersect_options *o = &q->options;
-    if (!q->fits_lanes) return -1;
+    if (!q->fits_lanes || (want == ALGSURF_WANT_ANY && q->has_method)) return -1;
     algsurf_i_rays_job job = q->job;
-    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
+    const double *at = ray->origin, *d = ray->direction;
+    const algsurf_ray_packet rays = {.count = 1,
+                                     .origin = {at, at + 1, at + 2},
+                                     .direction = {d, d + 1, d + 2},
+                                     .t_min = &ray->t_min,
+                                     .t_max = &ray->t_max};
     job.rays = &rays;
+    job.any = want == ALGSURF_WANT_ANY;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
+    int most = want == ALGSURF_WANT_ALL ? q->surface->degree : 1;
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count && !job.any; i++)
         if (isnan(hits[i].normal[0]))
             algsurf_i_set_normal(q->surface, ray, hits[i].position, 0, q->memory_limit, hits[i].normal);
     return count;
@@ -152,16 +160,20 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
-                                         uint64_t *exact) {
+/* The hits of a checked ray, at most ALGSURF_MAX_DEGREE; tried: lanes have left it undecided. */
+static algsurf_status find(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want, int tried,
+                           algsurf_hit *hits, int *count, uint64_t *exact) {
+    *count = tried ? -1 : hits_in_lane(q, ray, want, hits);
+    if (*count >= 0) return ALGSURF_OK;
+    *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
+    return decide(q, ray, want, hits, count);
+}
+
+algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *ray, int tried,
+                                   algsurf_hit *hit, uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
-    algsurf_status status = ALGSURF_OK;
-    /* where no method is chosen, packets have tried */
-    int count = q->has_method ? hits_in_lane(q, ray, 1, found) : -1;
-    if (count < 0) {
-        *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
-        status = decide(q, ray, ALGSURF_WANT_FIRST, found, &count);
-    }
+    int count;
+    algsurf_status status = find(q, ray, ALGSURF_WANT_FIRST, tried, found, &count, exact);
     if (status != ALGSURF_OK) return status;
     if (count)
         *hit = found[0];
@@ -170,18 +182,48 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
     return ALGSURF_OK;
 }
 
+algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int tried, int *state) {
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
+    uint64_t exact = 0;
+    int count;
+    algsurf_status status = find(q, ray, ALGSURF_WANT_ANY, tried, found, &count, &exact);
+    if (status != ALGSURF_OK) return status;
+    *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
+    for (int i = 0; i < count; i++)
+        if (found[i].state == ALGSURF_HIT) *state = ALGSURF_HIT;
+    return ALGSURF_OK;
+}
+
+/* ---- the public calls ---- */
+
+static algsurf_status prepare(algsurf_i_query *q, const algsurf_surface *surface,
+                              const algsurf_extent *extent, const algsurf_ray *ray,
+                              const algsurf_intersect_options *options) {
+    if (!surface) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_ray_check(ray);
+    return status == ALGSURF_OK ? algsurf_i_query_read(q, surface, extent, options) : status;
+}
+
+static algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
+                            const algsurf_ray *ray, const algsurf_intersect_options *options,
+                            algsurf_hit *hit) {
+    algsurf_i_query q;
+    uint64_t exact = 0;
+    if (!hit) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    return status == ALGSURF_OK ? algsurf_i_first_hit(&q, ray, 0, hit, &exact) : status;
+}
+
 static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
                           const algsurf_ray *ray, const algsurf_intersect_options *options, algsurf_hit *hits,
                           int capacity, int *count) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
+    uint64_t exact = 0;
     int n;
-    if (!surface || !hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
-    if (status != ALGSURF_OK) return status;
-    n = hits_in_lane(&q, ray, surface->degree, found);
-    if (n < 0) status = decide(&q, ray, ALGSURF_WANT_ALL, found, &n);
+    if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status == ALGSURF_OK) status = find(&q, ray, ALGSURF_WANT_ALL, 0, found, &n, &exact);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(hits, found, (size_t)n * sizeof *hits);
@@ -189,18 +231,23 @@ static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *
     return ALGSURF_OK;
 }
 
+static algsurf_status occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                               const algsurf_ray *ray, const algsurf_intersect_options *options, int *state) {
+    algsurf_i_query q;
+    if (!state) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    return status == ALGSURF_OK ? algsurf_i_occluded(&q, ray, 0, state) : status;
+}
+
+ALGSURF_I_PUBLIC(algsurf_status, intersect_first, first,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, algsurf_hit *hit),
+                 (surface, extent, ray, options, hit))
 ALGSURF_I_PUBLIC(algsurf_status, intersect_all, all,
                  (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
                   const algsurf_intersect_options *options, algsurf_hit *hits, int capacity, int *count),
                  (surface, extent, ray, options, hits, capacity, count))
-
-algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
-    algsurf_hit found[ALGSURF_MAX_DEGREE];
-    int count = 0;
-    algsurf_status status = decide(q, ray, ALGSURF_WANT_ANY, found, &count);
-    if (status != ALGSURF_OK) return status;
-    *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
-    for (int i = 0; i < count; i++)
-        if (found[i].state == ALGSURF_HIT) *state = ALGSURF_HIT;
-    return ALGSURF_OK;
-}
+ALGSURF_I_PUBLIC(algsurf_status, occluded, occluded,
+                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                  const algsurf_intersect_options *options, int *state),
+                 (surface, extent, ray, options, state))

@@ -32,17 +32,6 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
 algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
                                     const algsurf_extent *extent, const algsurf_intersect_options *given);
 
-/* A packet of one ray. */
-static inline algsurf_ray_packet algsurf_i_packet_of(const algsurf_ray *ray) {
-    const double *o = ray->origin, *d = ray->direction;
-    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
-                                .count = 1,
-                                .origin = {o, o + 1, o + 2},
-                                .direction = {d, d + 1, d + 2},
-                                .t_min = &ray->t_min,
-                                .t_max = &ray->t_max};
-}
-
 /* What follows is in the standard floating-point environment. */
 
 /* No point of the surface on the ray. */
@@ -59,11 +48,11 @@ algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const 
                                           const algsurf_intersect_options *options,
                                           const algsurf_hit_packet *hits, uint64_t *exact);
 
-/* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided: OK or
- * E_NO_MEMORY.  exact: 1 is added where integers decide. */
-algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
-                                         uint64_t *exact);
-algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state);
+/* algsurf_intersect_first and algsurf_occluded for a checked ray: OK or E_NO_MEMORY.  tried: lanes have left
+ * it undecided.  exact: 1 is added where integers decide. */
+algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *ray, int tried,
+                                   algsurf_hit *hit, uint64_t *exact);
+algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int tried, int *state);
 
 /* algsurf_intersect_complex in a region, whose planes are good, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,

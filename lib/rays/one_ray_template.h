@@ -6,7 +6,9 @@
 #ifndef ALGSURF_RAYS_ONE_RAY_TEMPLATE_H
 #define ALGSURF_RAYS_ONE_RAY_TEMPLATE_H
 #include "../roots/refine_impl.h"
-#include "packet_template.h"
+#include "along_template.h"
+#include "far_template.h"
+#include "hits_template.h"
 
 /* One ray on its way. */
 typedef struct single_ray {
@@ -116,9 +118,9 @@ static int first_bracket(single_ray *s) {
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     s->from_powers = own;
     mask opened = search(s->job, &s->ray, &s->watch, &s->line, &s->k, n), which = opened & s->ends.far;
+    if (s->job->any) which &= ~s->k.hit;
     if (!any(opened)) return 0;
     if (any(which)) look_about(s->job->surface, &s->line, &s->k, which, n, own, &s->ends);
-    for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
     mask before = lanes_before(&s->ray, &s->ends, which);
     return any(before) && next_piece(s, before, no_lane());
 }
@@ -128,6 +130,7 @@ static void next_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
     lanes from = s->k.at.q;
     if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
+    for (int j = 1; !s->from_powers && j <= n; j++) s->k.e[j] = s->k.e[0];
     for (;;) {
         next(&s->k, n, from);
         isolate_known(&s->k, n);
@@ -147,11 +150,12 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     double scale = ldexp(1, -job->surface->unit);
     places first;
     set_places(&first, 0, 1);
-    s.ray = load_rays(job, &first, scale);
+    load_rays(job, &first, scale, &s.ray);
     clip_rays(job, &first, &s.ray, scale);
     begin_far(job, &first, &s.ray, &s.ends);
     for (;;) {
         if (first_bracket(&s)) continue;
+        if (job->any && any(s.k.hit)) return hits->state = ALGSURF_HIT, 1;
         while (any(s.k.hit & ~s.k.undecided)) {
             if (!make_hit(&s, hits + count)) return -1;
             if (++count == most) return count;
@@ -165,6 +169,6 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     }
 }
 
-const algsurf_i_ray_kernel KERNEL(algsurf_i_ray) = {.first = solve_rays, .all = all_hits};
+const algsurf_i_ray_kernel KERNEL(algsurf_i_ray) = {.all = all_hits};
 
 #endif

@@ -1,10 +1,10 @@
-/* packet.c - first hits and occlusion, of one ray or of many: checked, solved by the packet code,
- * and what they leave undecided one by one.
+/* packet.c - first hits and occlusion of many rays: checked, solved by the packet code, and what that leaves
+ * undecided one by one.
  *
  * The packet code (packet_template.h) reads the caller's arrays and writes the answers it is sure of; of the
  * others it writes ALGSURF_LANE_UNDECIDED as state.  Those rays go on to intersect.c, and so do all rays of
- * calls that the packet code is not made for.  A single ray is a packet of one: no answer depends on what
- * else is in a packet, so a ray has the same bits alone as in company. */
+ * calls that the packet code is not made for.  No answer depends on what else is in a packet, so a ray has
+ * the same bits alone as in company. */
 #include "../base/arithmetic.h"
 #include <math.h>
 
@@ -65,7 +65,8 @@ static algsurf_status prepare(algsurf_i_query *q, algsurf_ray_packet *rays, cons
                               const algsurf_intersect_options *options) {
     if (!surface || !given || !algsurf_options_read(rays, sizeof *rays, given)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check_rays(rays);
-    return status == ALGSURF_OK ? algsurf_i_query_read(q, surface, extent, options) : status;
+    if (status == ALGSURF_OK) status = algsurf_i_query_read(q, surface, extent, options);
+    return status == ALGSURF_OK && q->options.observer ? ALGSURF_E_ARGUMENT : status;
 }
 
 static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {
@@ -73,9 +74,8 @@ static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {
     return algsurf_i_rays_kernel_for(narrow ? algsurf_i_kernel_at(1) : q->kernel);
 }
 
-/* The states of active rays; of certain hits everything.  A ray that is alone has code of its own: the bits
- * are the same. */
-static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any, int alone,
+/* The states of active rays; of certain hits everything. */
+static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
                            const algsurf_hit_packet *hits) {
     if (!q->fits_lanes || q->has_method) {
         for (size_t i = 0; i < rays->count; i++)
@@ -85,10 +85,7 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
     algsurf_i_rays_job job = q->job;
     job.rays = rays;
     job.any = any;
-    if (alone)
-        algsurf_i_ray_kernel_for(q->kernel)->first(&job, hits);
-    else
-        packet_code(q)->solve(&job, hits);
+    packet_code(q)->solve(&job, hits);
 }
 
 static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
@@ -115,30 +112,6 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     hit->t_hi = ray->t_max;
 }
 
-/* One ray; returns 0 if it is undecided. */
-static int solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
-    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
-    unsigned char state;
-    signed char side = 0;
-    const algsurf_hit_packet hits = {
-        .state = &state,
-        .multiplicity = &hit->multiplicity,
-        .side = &side,
-        .t = &hit->t,
-        .t_lo = &hit->t_lo,
-        .t_hi = &hit->t_hi,
-        .position = {hit->position, hit->position + 1, hit->position + 2},
-        .normal = {hit->normal, hit->normal + 1, hit->normal + 2},
-    };
-    solve_together(q, &rays, 0, 1, &hits);
-    if (state == ALGSURF_LANE_HIT && isnan(hit->normal[0]))
-        algsurf_i_set_normal(q->surface, ray, hit->position, 0, q->memory_limit, hit->normal);
-    hit->side = side;
-    hit->state = state;
-    hit->reason = ALGSURF_OK;
-    return state != ALGSURF_LANE_UNDECIDED;
-}
-
 /* The normal that packets leave open. */
 static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
                        const algsurf_hit_packet *hits, size_t i) {
@@ -147,7 +120,8 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
     if (!open || hits->state[i] != ALGSURF_HIT || (rays->active && !rays->active[i])) return;
     algsurf_ray ray = ray_of(rays, i);
     algsurf_hit hit;
-    (void)solve_one(q, &ray, &hit);
+    uint64_t exact = 0;
+    (void)algsurf_i_first_hit(q, &ray, 0, &hit, &exact);
     for (int k = 0; k < 3; k++)
         if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
@@ -163,7 +137,7 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
         }
         algsurf_ray ray = ray_of(rays, i);
         algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(q, &ray, &hit, exact);
+        algsurf_status one = algsurf_i_first_hit(q, &ray, !q->has_method, &hit, exact);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -183,71 +157,31 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
     algsurf_hit_packet hits;
     if (!to || !algsurf_options_read(&hits, sizeof hits, to)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
-    if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     if (!hits.state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, &read, 0, 0, &hits);
+    solve_together(&q, &read, 0, &hits);
     return finish(&q, &read, &hits, exact);
 }
 
-static algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
-                            const algsurf_ray *ray, const algsurf_intersect_options *options,
-                            algsurf_hit *hit) {
-    algsurf_i_query q;
-    algsurf_hit found;
-    uint64_t exact = 0;
-    if (!ray || !hit) return ALGSURF_E_ARGUMENT;
-    const algsurf_ray_packet given = algsurf_i_packet_of(ray);
-    algsurf_ray_packet rays;
-    algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
-    if (status != ALGSURF_OK) return status;
-    if (!solve_one(&q, ray, &found)) return algsurf_i_intersect_first(&q, ray, hit, &exact);
-    *hit = found;
-    return ALGSURF_OK;
-}
-
-/* Of rays, or of one that is alone. */
 static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
                                            const algsurf_ray_packet *given,
-                                           const algsurf_intersect_options *options, int alone,
-                                           unsigned char *state) {
+                                           const algsurf_intersect_options *options, unsigned char *state) {
     algsurf_i_query q;
     algsurf_ray_packet rays;
     algsurf_status status = prepare(&q, &rays, surface, extent, given, options);
-    if (status == ALGSURF_OK && q.options.observer && !alone) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     if (!state) return rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, &rays, 1, alone, &(algsurf_hit_packet){.state = state});
+    solve_together(&q, &rays, 1, &(algsurf_hit_packet){.state = state});
     for (size_t i = 0; i < rays.count; i++) {
         if (!left_alone(&rays, state, i)) continue;
         algsurf_ray ray = ray_of(&rays, i);
         int one = ALGSURF_UNDECIDED;
-        algsurf_status decided = algsurf_i_occluded(&q, &ray, &one);
+        algsurf_status decided = algsurf_i_occluded(&q, &ray, 1, &one);
         if (decided != ALGSURF_OK) status = decided;
         state[i] = (unsigned char)one;
     }
     return status;
 }
-
-static algsurf_status any_of_one(const algsurf_surface *surface, const algsurf_extent *extent,
-                                 const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                 int *state) {
-    unsigned char found;
-    if (!ray || !state) return ALGSURF_E_ARGUMENT;
-    const algsurf_ray_packet rays = algsurf_i_packet_of(ray);
-    algsurf_status status = any(surface, extent, &rays, options, 1, &found);
-    if (status == ALGSURF_OK) *state = found;
-    return status;
-}
-
-ALGSURF_I_PUBLIC(algsurf_status, intersect_first, first,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_intersect_options *options, algsurf_hit *hit),
-                 (surface, extent, ray, options, hit))
-ALGSURF_I_PUBLIC(algsurf_status, occluded, any_of_one,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_intersect_options *options, int *state),
-                 (surface, extent, ray, options, state))
 
 algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
                                         const algsurf_ray_packet *rays,
@@ -263,6 +197,6 @@ algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const alg
                                        const algsurf_ray_packet *rays,
                                        const algsurf_intersect_options *options, unsigned char *state) {
     algsurf_status status;
-    ALGSURF_STANDARD(status = any(surface, extent, rays, options, 0, state));
+    ALGSURF_STANDARD(status = any(surface, extent, rays, options, state));
     return status;
 }

@@ -4,3 +4,4 @@
 
 #include "../simd/baseline.h"
 #include "one_ray_template.h"
+#include "packet_template.h"

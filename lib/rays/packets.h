@@ -1,4 +1,4 @@
-/* packets.h - first hits of many rays at once, by every kernel. */
+/* packets.h - first hits of many rays at once, all hits of one, by every kernel. */
 #ifndef ALGSURF_RAYS_PACKETS_H
 #define ALGSURF_RAYS_PACKETS_H
 #include <stddef.h>
@@ -35,9 +35,9 @@ ALGSURF_KERNEL_TABLES(rays);
 
 /* The code for the job's one ray: packets of two, of which one lane is idle. */
 typedef struct algsurf_i_ray_kernel {
-    void (*first)(const algsurf_i_rays_job *job, const algsurf_hit_packet *hits); /* as solve of packets */
     /* The first hits, at most `most` >= 1, in order, by the caller's method (null: the first of them has the
-     * bits of the packets); or -1: it is undecided.  hits has room for the surface's degree, or `most`. */
+     * bits of the packets); for `any` 1 where there is one, of which only the state is set; -1: undecided.
+     * hits has room for the surface's degree, or `most`. */
     int (*all)(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most, algsurf_hit *hits);
 } algsurf_i_ray_kernel;
 

@@ -1,0 +1,162 @@
+/* along_template.h - P along the chords of LANES rays, and its first roots (roots/first_walk_template.h).
+ *
+ * The chord [near, far] has the middle t_c and half the length h, both doubles; its points are
+ * X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle M = o + t_c d comes from double-double: a far
+ * origin costs no digits.
+ *
+ * Two ways lead to Bernstein coefficients.  Up to ALGSURF_MAX_NODE_DEGREE P is evaluated at nodes
+ * (nodes_template.h).  Lanes that this leaves undecided, and all lanes of higher degrees, take powers of v
+ * (powers_template.h) and a radius for each coefficient (roots/descartes_template.h): the nodes' matrix
+ * amplifies rounding by a factor that doubles with each degree, powers do not.
+ *
+ * Rounding of M.  It is within u |M| and 2^-100 (|o| + |t_c d|) of the point.  As blur is below 2^-16, |t_c|
+ * is below 2^36 h, so the latter is less than 2^-63 (|M| + |h d|).
+ *
+ * Error of the ends.  The computed chord is within `off` of the exact one, t_c - h and t_c + h within
+ * u (|t_c| + h) of the computed one.  The sum goes to packet.blur: where p keeps its sign that far about both
+ * ends, both chords have the same roots. */
+#ifndef ALGSURF_RAYS_ALONG_TEMPLATE_H
+#define ALGSURF_RAYS_ALONG_TEMPLATE_H
+#include "packets.h"
+#if LANES > 4
+#define MOST_DEGREE ALGSURF_MAX_WIDE_DEGREE
+#endif
+#include "../roots/first_walk_template.h"
+#include "../simd/lanes.h"
+#include "chord_template.h"
+#include "nodes_template.h"
+#include "powers_template.h"
+
+#define MOST_BLUR 0x1p-16 /* above, the bound on p' holds no more */
+
+#define NODE_DEGREES(statement)                                                                              \
+    DEGREES_2_TO_4(statement)                                                                                \
+    FOR_ONE_DEGREE(6, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement)
+
+APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line, lanes *b, int n) {
+    if (n > ALGSURF_MAX_NODE_DEGREE) __builtin_unreachable();
+    FOR_DEGREES(COMMON_DEGREES, n, coefficients_from_nodes(s, line->middle, line->half, b, N),
+                NODE_DEGREES(coefficients_from_nodes(s, line->middle, line->half, b, N)))
+}
+
+/* b from nodes, and one radius for all of them. */
+INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+    const algsurf_surface *s = job->surface;
+    lanes x[3];
+    coefficients_of_many(s, line, k->b, n);
+    for (int i = 0; i < 3; i++) {
+        lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
+        x[i] = s->stride[i] == 2 ? reach * reach : reach;
+    }
+    double factor = (10 * n + 20) * 0x1p-53 + s->error;
+    k->e[0] = factor * s->amplification * surface_magnitude(s, x) + LOST_BY_UNDERFLOW;
+}
+
+/* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
+INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, chord_line *line, packet *k) {
+    lanes reach[3];
+    for (int i = 0; i < 3; i++) {
+        line->middle[i] = along(r->origin[i], all_lanes(0), line->t_c, r->direction[i]);
+        line->half[i] = line->h * r->direction[i];
+        reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
+    }
+    k->blur = (r->off + 0x1p-52 * (absolute(line->t_c) + line->h)) / absolute(line->h);
+    k->undecided |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
+    k->undecided |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
+    k->open &= ~k->undecided;
+    k->start = all_lanes(-1); /* all of [0,1] is searched, and solve_chords looks at its ends */
+    k->stop = all_lanes(2);
+}
+
+/* What p changes by within blur of an end where the last coefficients are b, then next, known to e, next_e.
+ * There p' = n sum B_j(x) (b_(j+1) - b_j) with |x| <= blur < 2^-16: the first B is below 1 + 2^-10 and the
+ * others together below 2 n blur. */
+INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e, lanes next_e) {
+    lanes slope = absolute(next - b) + (e + next_e) + 4 * n * k->blur * k->largest;
+    return (1 + 0x1p-9) * n * k->blur * slope;
+}
+
+/* The first roots of open lanes; for `any` a change of sign from end to end is enough.  Undecided are those
+ * whose sign at an end of the chord is not known. */
+INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int own) {
+    const lanes *b = k->b, *e = k->e;
+    cell *c = &k->at;
+    begin(k, n, own);
+    if (watch_of(k)) tell_cell(k->watch, 0, 1, c->w, c->e, n, own, c->side[0] != 0);
+    bound_errors(k, n, own);
+    lanes near = e[0], far = radius_of(e, n, own);
+    near += change_at_end(k, n, b[0], b[1], e[0], radius_of(e, 1, own));
+    far += change_at_end(k, n, b[n], b[n - 1], far, radius_of(e, n - 1, own));
+    leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
+    k->open &= ~k->s.none;
+    if (job->any) {
+        k->hit = k->open & negative((words)c->w[n]);
+        k->open &= ~k->hit;
+    }
+    if (!any(k->open)) return;
+    if (own)
+        isolate_known(k, n);
+    else
+        isolate(k, n);
+}
+
+/* By powers, with a radius for each coefficient. */
+APART void decide_from_powers(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
+    coefficients_from_powers(job->surface, line, n, k->b, k->e);
+    solve_chords(job, k, n, 1);
+}
+
+/* Lanes that nodes and one radius for all coefficients left undecided. */
+APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, packet *k, mask which, int n) {
+    packet again;
+    again.watch = k->watch;
+    again.open = which;
+    again.undecided = no_lane();
+    again.start = k->start;
+    again.stop = k->stop;
+    again.blur = k->blur;
+    decide_from_powers(job, line, &again, n);
+    k->undecided = (k->undecided & ~which) | again.undecided;
+    close(k, n, again.hit, &again.at);
+}
+
+INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+    mask opened = k->open;
+    set_coefficients(job, line, k, n);
+    solve_chords(job, k, n, 0);
+    mask again = opened & k->undecided;
+    if (any(again)) decide_again(job, line, k, again, n);
+}
+
+/* Of a single ray, the first lane's: t along its chord; null where nobody looks. */
+INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const ray_lanes *r,
+                                          algsurf_i_watch *watch) {
+    if (LANES != 2 || !job->observer) return NULL;
+    *watch = (algsurf_i_watch){.observer = job->observer,
+                               .lo = r->near[0] * r->t_unit[0],
+                               .hi = r->far[0] * r->t_unit[0],
+                               .exponent = -job->surface->scale};
+    return watch;
+}
+
+/* The first roots along the rays' parts; returns the lanes whose chords were searched. */
+INLINE mask search(const algsurf_i_rays_job *job, const ray_lanes *r, algsurf_i_watch *watch,
+                   chord_line *line, packet *k, int n) {
+    line->t_c = 0.5 * r->near + 0.5 * r->far;
+    line->h = 0.5 * r->far - 0.5 * r->near;
+    k->watch = watch_chord(job, r, watch);
+    k->open = r->open;
+    k->undecided = r->undecided;
+    k->hit = no_lane();
+    if (any(k->open)) set_chords(job, r, line, k);
+    const mask opened = k->open;
+    if (!any(opened)) return opened;
+    if (!job->surface->nodes)
+        decide_from_powers(job, line, k, n);
+    else
+        decide_from_nodes(job, line, k, n);
+    return opened;
+}
+
+#endif
