@@ -10,7 +10,8 @@ typedef struct roots_effort {
     int takes;
     size_t real, complex; /* polynomials in a set */
     double budget;        /* seconds that a take of one contestant may last, more or less */
-    int most_degree;      /* of random polynomials; eight times as much of families */
+    int most_degree;      /* of random polynomials */
+    int most_of_family;   /* degree */
     int patience;         /* seconds that a program has for a polynomial of a family */
 } roots_effort;
 

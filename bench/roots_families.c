@@ -374,5 +374,5 @@ static void contend(size_t family, const roots_effort *effort, contest_table *ta
 
 void roots_families(const roots_effort *effort, contest_table *table) {
     for (size_t i = 0; i < FAMILIES; i++)
-        if (families[i].n <= effort->most_degree * 8) contend(i, effort, table);
+        if (families[i].n <= effort->most_of_family) contend(i, effort, table);
 }

@@ -31,8 +31,8 @@ static const cli_program program = {
     .positional = FIELD(extra),
 };
 
-static const roots_effort full = {5, 20000, 400, 0.25, 64, 5};
-static const roots_effort quick = {3, 4000, 60, 0.03, 32, 1};
+static const roots_effort full = {5, 20000, 400, 0.25, 64, ALGSURF_MAX_POLY_DEGREE, 5};
+static const roots_effort quick = {3, 4000, 60, 0.03, 32, 100, 1};
 
 static const contest_chapter chapters[] = {
     {.section = "first root",
