@@ -65,15 +65,9 @@ typedef struct search {
 
 /* ---- the polynomial about the middle of a cell ---- */
 
-/* Of the places with powers z^0 .. z^(k-1), all x and y. */
-static size_t level_place(int n, int k) {
-    size_t all = (size_t)(n + 1) * (size_t)(n + 2) * (size_t)(n + 3) / 6, left = (size_t)(n - k);
-    return all - (left + 1) * (left + 2) * (left + 3) / 6;
-}
-
+/* Where x^0 y^j z^k stands; places of degrees above n are not used. */
 static size_t place(int n, int k, int j) {
-    size_t side = (size_t)(n - k);
-    return level_place(n, k) + (size_t)j * (side + 1) - (size_t)j * (size_t)(j > 0 ? j - 1 : 0) / 2;
+    return ((size_t)k * (size_t)(n + 1) + (size_t)j) * (size_t)(n + 1);
 }
 
 static void spread(const algsurf_surface *s, double *c) {
@@ -84,28 +78,31 @@ static void spread(const algsurf_surface *s, double *c) {
         }
 }
 
-/* A polynomial in t of that degree, its coefficients `to` apart from one another, about t = by. */
-static void shift(double *c, int degree, double by, const size_t *to) {
+/* A polynomial in x of that degree about x = by. */
+static void shift(double *c, int degree, double by) {
     for (int m = 0; m < degree; m++)
-        for (int i = degree - 1; i >= m; i--) c[to[i]] += by * c[to[i + 1]];
+        for (int i = degree - 1; i >= m; i--) c[i] += by * c[i + 1];
+}
+
+/* One in x and t about t = by: powers of x are side by side, those of t `step` apart. */
+static void shift_rows(double *c, int degree, double by, size_t step) {
+    for (int m = 0; m < degree; m++)
+        for (int i = degree - 1; i >= m; i--) {
+            double *row = c + (size_t)i * step;
+            for (int j = 0; j < degree - i; j++) row[j] += by * row[step + (size_t)j];
+        }
 }
 
 static void shift_all(const search *s, const double middle[3]) {
-    int n = s->degree;
+    const int n = s->degree;
     double *a = s->shifted;
-    size_t along[ALGSURF_MAX_DEGREE + 1];
-    memcpy(a, s->given, level_place(n, n + 1) * sizeof *a);
-    for (int i = 0; i <= n; i++) along[i] = (size_t)i;
+    memcpy(a, s->given, place(n, n + 1, 0) * sizeof *a);
     for (int k = 0; k <= n && middle[0] != 0; k++)
-        for (int j = 0; j <= n - k; j++) shift(a + place(n, k, j), n - k - j, middle[0], along);
-    for (int k = 0; k <= n && middle[1] != 0; k++) {
-        for (int j = 0; j <= n - k; j++) along[j] = place(n, k, j);
-        for (int i = 0; i <= n - k; i++) shift(a + i, n - k - i, middle[1], along);
-    }
-    for (int j = 0; j <= n && middle[2] != 0; j++) {
-        for (int k = 0; k <= n - j; k++) along[k] = place(n, k, j);
-        for (int i = 0; i <= n - j; i++) shift(a + i, n - j - i, middle[2], along);
-    }
+        for (int j = 0; j <= n - k; j++) shift(a + place(n, k, j), n - k - j, middle[0]);
+    for (int k = 0; k <= n && middle[1] != 0; k++)
+        shift_rows(a + place(n, k, 0), n - k, middle[1], place(n, 0, 1));
+    for (int j = 0; j <= n && middle[2] != 0; j++)
+        shift_rows(a + place(n, 0, j), n - j, middle[2], place(n, 1, 0));
 }
 
 /* Between low and high: a sum of terms. */
@@ -284,10 +281,10 @@ static void set_extent(search *s, const algsurf_extent *extent, cell *box) {
 }
 
 static void set_polynomial(search *s) {
-    size_t places = level_place(s->degree, s->degree + 1);
+    double n = s->degree, places = (n + 1) * (n + 2) * (n + 3) / 6;
     spread(s->surface, s->given);
-    s->share = (16 * s->degree + 2 * (double)places + 32) * ALGSURF_U + s->surface->error;
-    s->left = MOST_WORK / (3.0 * (double)places * (s->degree + 1) + CELL_ITSELF);
+    s->share = (16 * n + 2 * places + 32) * ALGSURF_U + s->surface->error;
+    s->left = MOST_WORK / (3 * places * (n + 1) + CELL_ITSELF);
 }
 
 static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
@@ -299,7 +296,7 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
     if (status != ALGSURF_OK) return status;
     if (extent->kind == ALGSURF_EXTENT_ALL || !has_good_part(part) || !(precision > 0 && precision <= 1))
         return ALGSURF_E_ARGUMENT;
-    size_t places = level_place(s.degree, s.degree + 1);
+    size_t places = place(s.degree, s.degree + 1, 0);
     s.given = calloc(2 * places, sizeof *s.given);
     if (!s.given) return ALGSURF_E_NO_MEMORY;
     s.shifted = s.given + places;

@@ -16,8 +16,10 @@
 #define BLOCK_OF_NODES 7 /* evaluated together, in degrees without code of their own */
 #define MOST_NODES 14    /* a multiple of it, above ALGSURF_MAX_NODE_DEGREE */
 
-/* P at `block` points at once: x[0], x[1], x[2] and their coordinates, or the squares of these. */
-INLINE void surface_values(const algsurf_surface *s, int block, const lanes *const x[3], lanes *p) {
+/* P, or with `sizes` the same scheme on magnitudes, at `block` points at once: x[0], x[1], x[2] and their
+ * coordinates, or the squares of these. */
+INLINE void surface_scheme(const algsurf_surface *s, int block, int sizes, const lanes *const x[3],
+                           lanes *p) {
     lanes level[MOST_NODES], row[MOST_NODES];
     for (int m = 0; m < block; m++) p[m] = all_lanes(0);
     for (int k = s->level_count - 1; k >= 0; k -= s->stride[2]) {
@@ -26,29 +28,22 @@ INLINE void surface_values(const algsurf_surface *s, int block, const lanes *con
         for (int j = s->levels[k].count - 1; j >= 0; j -= s->stride[1]) {
             const double *c = s->coef + rows[j].first;
             int i = rows[j].length - 1;
-            for (int m = 0; m < block; m++) row[m] = all_lanes(i >= 0 ? c[i] : 0);
+            for (int m = 0; m < block; m++) row[m] = all_lanes(i < 0 ? 0 : sizes ? fabs(c[i]) : c[i]);
             for (i -= s->stride[0]; i >= 0; i -= s->stride[0])
-                for (int m = 0; m < block; m++) row[m] = row[m] * x[0][m] + c[i];
+                for (int m = 0; m < block; m++) row[m] = row[m] * x[0][m] + (sizes ? fabs(c[i]) : c[i]);
             for (int m = 0; m < block; m++) level[m] = level[m] * x[1][m] + row[m];
         }
         for (int m = 0; m < block; m++) p[m] = p[m] * x[2][m] + level[m];
     }
 }
 
-/* The same scheme on magnitudes at one point. */
+INLINE void surface_values(const algsurf_surface *s, int block, const lanes *const x[3], lanes *p) {
+    surface_scheme(s, block, 0, x, p);
+}
+
 INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes x[3]) {
-    lanes p = all_lanes(0);
-    for (int k = s->level_count - 1; k >= 0; k -= s->stride[2]) {
-        const algsurf_row *rows = s->rows + s->levels[k].first;
-        lanes level = all_lanes(0);
-        for (int j = s->levels[k].count - 1; j >= 0; j -= s->stride[1]) {
-            const double *c = s->coef + rows[j].first;
-            lanes row = all_lanes(0);
-            for (int i = rows[j].length - 1; i >= 0; i -= s->stride[0]) row = row * x[0] + fabs(c[i]);
-            level = level * x[1] + row;
-        }
-        p = p * x[2] + level;
-    }
+    lanes p;
+    surface_scheme(s, 1, 1, (const lanes *const[]){x, x + 1, x + 2}, &p);
     return p;
 }
 
