@@ -104,15 +104,12 @@ static void clear_lowest(uint64_t *a, int a_length, const uint64_t *b, int b_len
     }
 }
 
-/* The factors f are such that a + b f is 0 modulo 2^(64 limbs): f is minus the quotient. */
+/* The factors f are such that a + b f is 0 modulo 2^(64 limbs): f is minus the quotient, which is
+ * odd: its lowest limb is not 0. */
 int roots_limbs_quotient(uint64_t *a, int a_length, const uint64_t *b, int b_length, uint64_t *quotient) {
     int limbs = a_length - b_length + 1;
-    uint64_t carry = 1;
     clear_lowest(a, a_length, b, b_length, limbs, quotient);
-    for (int i = 0; i < limbs; i++) {
-        quotient[i] = ~quotient[i] + carry;
-        carry = carry && !quotient[i];
-    }
+    for (int i = 0; i < limbs; i++) quotient[i] = ~quotient[i] + (i == 0);
     return last_limb(quotient, limbs);
 }
 

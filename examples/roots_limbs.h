@@ -21,8 +21,8 @@ int roots_limbs_bits(const uint64_t *a, int length);
 /* a b, into room for the limbs of both, apart from them. */
 int roots_limbs_product(const uint64_t *a, int a_length, const uint64_t *b, int b_length, uint64_t *product);
 
-/* a / b, an odd b that divides a > 0: into room for the limbs of a.  Loses a, which needs room for one limb
- * more. */
+/* a / b of odd numbers, where b divides a: into room for the limbs of a.  Loses a, which needs room for one
+ * limb more. */
 int roots_limbs_quotient(uint64_t *a, int a_length, const uint64_t *b, int b_length, uint64_t *quotient);
 
 /* The gcd of two odd numbers, into b.  Loses a; both need room for one limb more. */
