@@ -65,7 +65,7 @@ static inline int exact_is_nearest(double x, const mpq_t q) {
     memcpy(&bits, &x, sizeof bits);
     mpq_inits(middle, other, NULL);
     for (int side = -1; side <= 1; side += 2) {
-        double next = nextafter(x, side * INFINITY);
+        double next = nextafter(x, side < 0 ? -HUGE_VAL : HUGE_VAL);
         if (isinf(next)) continue;
         exact_set(middle, x);
         exact_set(other, next);

@@ -41,7 +41,7 @@ static int write_number(char *text, const mpz_t z) {
 }
 
 /* Numbers, and fractions whose denominators share factors. */
-static int write_part(char *text, const mpz_t *factor) {
+static int write_part(char *text, mpz_t *factor) {
     mpz_t z;
     mpz_init(z);
     random_integer(z);
