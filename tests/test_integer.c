@@ -130,7 +130,7 @@ TEST(test_products) {
         mpz_mul_2exp(o.z, o.zb, (mp_bitcnt_t)(64 * at)), mpz_mul(o.z, o.z, f), mpz_add(o.z, o.z, o.za);
         algsurf_z_add_product(o.a, o.wa, o.b, o.wb, limb, at), check("add product", i, &o, at);
         mpz_set(o.z, o.za);
-        algsurf_z_sub_product(o.a, o.wa, o.b, o.wb, limb, at), check("sub product", i, &o, at);
+        algsurf_z_join_product(o.a, o.wa, o.b, o.wb, limb, at, 1), check("sub product", i, &o, at);
         mpz_mul(o.z, o.za, f);
         algsurf_z_multiply(o.a, o.wa, limb), check("multiply", i, &o, (long)limb);
         memcpy(o.a, o.old, sizeof o.a);

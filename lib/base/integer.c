@@ -85,14 +85,15 @@ void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, 
 /* ---- doubles ---- */
 
 void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift) {
-    static const algsurf_limb one = 1;
     int e;
-    algsurf_limb m = algsurf_z_odd_part(x, &e);
+    algsurf_limb m = algsurf_z_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
     if (m == 0) return;
     e += shift;
     int at = e / LIMB_BITS, rest = e % LIMB_BITS;
     algsurf_limb part[2] = {m << rest, rest ? m >> (LIMB_BITS - rest) : 0};
-    for (int i = 0; i < 2; i++) algsurf_z_join_product(r, w, &one, 1, part[i], at + i, x < 0);
+    unsigned char carry = sign != 0; /* -x = ~x + 1 */
+    for (int i = at; i < w; i++)
+        r[i] = algsurf_limb_add(r[i], (i < at + 2 ? part[i - at] : 0) ^ sign, &carry);
 }
 
 /* The 63 leading bits are cut off with a relative error below 2^-62, their conversion rounds to nearest. */

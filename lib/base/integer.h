@@ -135,10 +135,6 @@ static inline void algsurf_z_add_product(algsurf_limb *r, int w, const algsurf_l
                                          algsurf_limb f, int at) {
     algsurf_z_join_product(r, w, a, wa, f, at, 0);
 }
-static inline void algsurf_z_sub_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
-                                         algsurf_limb f, int at) {
-    algsurf_z_join_product(r, w, a, wa, f, at, 1);
-}
 /* a *= f for n limbs, without a sign (modulo 2^(64 n) with one); the limb that is carried is returned. */
 static inline algsurf_limb algsurf_z_multiply(algsurf_limb *a, int n, algsurf_limb f) {
     algsurf_limb carry = 0;

@@ -74,7 +74,7 @@ void algsurf_zpoly_cut(algsurf_zpoly *p, int zeros) {
 }
 
 void algsurf_zpoly_compact(algsurf_zpoly *p) {
-    while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
+    *p = algsurf_zpoly_trimmed(p);
     algsurf_zpoly_cut(p, algsurf_zpoly_trailing(p));
 }
 

@@ -18,6 +18,13 @@ static inline algsurf_limb *algsurf_zpoly_at(const algsurf_zpoly *p, int k) {
     return p->c + (size_t)k * (size_t)p->width;
 }
 
+/* Without leading zeros; nothing is copied. */
+static inline algsurf_zpoly algsurf_zpoly_trimmed(const algsurf_zpoly *p) {
+    algsurf_zpoly t = *p;
+    while (t.degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(&t, t.degree), t.width) == 0) t.degree--;
+    return t;
+}
+
 int algsurf_zpoly_new(algsurf_memory *m, int degree, int width, algsurf_zpoly *p); /* all zero */
 int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, algsurf_zpoly *p);
 int algsurf_zpoly_bits(const algsurf_zpoly *p);     /* the largest algsurf_z_bits of a coefficient */

@@ -17,13 +17,6 @@ static inline size_t algsurf_zpoly_words(const algsurf_zpoly *p) {
     return (size_t)(p->degree + 1) * (size_t)p->width;
 }
 
-/* Without leading zeros; nothing is copied. */
-static inline algsurf_zpoly algsurf_zpoly_trimmed(const algsurf_zpoly *p) {
-    algsurf_zpoly t = *p;
-    while (t.degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(&t, t.degree), t.width) == 0) t.degree--;
-    return t;
-}
-
 /* Limbs for the coefficients of any factor of a in Z[x], of degree at most e (Mignotte): |c| <= 2^e |a|_2. */
 static inline int algsurf_zpoly_factor_width(const algsurf_zpoly *a, int e) {
     return algsurf_z_width(algsurf_zpoly_bits(a) + 1 + e + (bits_of_int(a->degree + 1) + 1) / 2);

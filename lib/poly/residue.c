@@ -30,14 +30,10 @@ static algsurf_prime modulus(algsurf_limb c, int index) {
     return (algsurf_prime){p, 0 - inverse, 4 * c, 16 * c * c, index};
 }
 
-/* Four bits of e at a time. */
 algsurf_limb algsurf_residue_power(algsurf_limb a, algsurf_limb e, const algsurf_prime *m) {
-    algsurf_limb table[16] = {m->one, a}, r = m->one;
-    for (int i = 2; i < 16; i++) table[i] = algsurf_residue_times(table[i - 1], a, m);
-    for (int shift = 60; shift >= 0; shift -= 4) {
-        for (int i = 0; i < 4; i++) r = algsurf_residue_times(r, r, m);
-        r = algsurf_residue_times(r, table[e >> shift & 15], m);
-    }
+    algsurf_limb r = m->one;
+    for (; e; e >>= 1, a = algsurf_residue_times(a, a, m))
+        if (e & 1) r = algsurf_residue_times(r, a, m);
     return r;
 }
 

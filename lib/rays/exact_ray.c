@@ -111,24 +111,12 @@ static algsurf_exact_root point_root(double t) {
     return (algsurf_exact_root){.lo = t, .hi = drawn_in, .t = drawn_in};
 }
 
-/* The sign of a face of degree 0 or more at -infinity. */
-static int sign_far_before(const algsurf_zpoly *face) {
-    int negative = algsurf_z_negative(algsurf_zpoly_at(face, face->degree), face->width);
-    return negative != face->degree % 2 ? -1 : 1;
-}
-
 /* Is t itself, not infinity, inside all faces? */
 static int begin_is_inside(query *q, const algsurf_zpoly *face, int faces, double t, int *inside) {
-    int e = 0, sign = 1, done = 1, endless = isinf(t);
-    algsurf_limb odd = endless ? 0 : algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
+    int sign, done = 1;
     *inside = 1;
     for (int i = 0; done && *inside && i < faces; i++) {
-        if (face[i].degree < 0) continue;
-        if (endless)
-            sign = sign_far_before(face + i);
-        else
-            done =
-                algsurf_zpoly_sign_at(&q->memory, face + i, &N, 1, odd ? q->unit - e : 0, &sign, NULL, NULL);
+        done = algsurf_exact_at_double(&q->memory, face + i, q->unit, t, &sign, NULL, NULL);
         *inside = sign >= 0;
     }
     return done;

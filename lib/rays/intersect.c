@@ -90,7 +90,6 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
 /* One lane's answer: the hits that are wanted, or -1 where they are undecided. */
 static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want,
                         algsurf_hit *hits) {
-    const algsurf_intersect_options *o = &q->options;
     if (!q->fits_lanes || (want == ALGSURF_WANT_ANY && q->has_method)) return -1;
     algsurf_i_rays_job job = q->job;
     const double *at = ray->origin, *d = ray->direction;
@@ -101,8 +100,7 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, algsur
                                      .t_max = &ray->t_max};
     job.rays = &rays;
     job.any = want == ALGSURF_WANT_ANY;
-    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
-                                        NULL};
+    const algsurf_refine_options how = algsurf_i_refinement_of(&q->options);
     int most = want == ALGSURF_WANT_ALL ? q->surface->degree : 1;
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
     for (int i = 0; i < count && !job.any; i++)

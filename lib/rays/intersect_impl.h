@@ -27,6 +27,12 @@ typedef struct algsurf_i_query {
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options);
 
+/* How they refine a root. */
+static inline algsurf_refine_options algsurf_i_refinement_of(const algsurf_intersect_options *o) {
+    return (algsurf_refine_options){sizeof(algsurf_refine_options), o->method, o->max_iterations,
+                                    o->absolute_tolerance, o->observer};
+}
+
 /* A query about a surface, from a caller's arguments.  Extent and planes are not copied: they must stay.
  * Returns OK, or the error of algsurf_intersect_first for extent or options. */
 algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,

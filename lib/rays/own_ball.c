@@ -15,22 +15,12 @@ enum { LOW = 3 * 1074, WIDTH = (3 * 1074 + 3 * 1024 + 64) / 64 + 1 };
 /* sum += factor a b c, exactly; factor is -2, -1, 1 or 2. */
 static void add_product(algsurf_limb *sum, int factor, double a, double b, double c) {
     int ea, eb, ec;
-    algsurf_limb product[4] = {algsurf_z_odd_part(a, &ea), 0, 0, 0}, next[4] = {0};
-    algsurf_limb mb = algsurf_z_odd_part(b, &eb), mc = algsurf_z_odd_part(c, &ec);
+    algsurf_limb product[3] = {algsurf_z_odd_part(a, &ea), 0, 0};
+    algsurf_z_multiply(product, 3, algsurf_z_odd_part(b, &eb));
+    algsurf_z_multiply(product, 3, algsurf_z_odd_part(c, &ec));
     int shift = ea + eb + ec + LOW + (abs(factor) == 2),
         negative = (a < 0) ^ (b < 0) ^ (c < 0) ^ (factor < 0);
-    algsurf_z_add_product(next, 4, product, 4, mb, 0);
-    algsurf_z_zero(product, 4);
-    algsurf_z_add_product(product, 4, next, 4, mc, 0);
-    if (product[0] == 0 && product[1] == 0 && product[2] == 0) return;
-    algsurf_z_shift_up(product, 4, shift & 63);
-    for (int i = 0; i < 4; i++) {
-        const algsurf_limb one = 1;
-        if (negative)
-            algsurf_z_sub_product(sum, WIDTH, &one, 1, product[i], shift / 64 + i);
-        else
-            algsurf_z_add_product(sum, WIDTH, &one, 1, product[i], shift / 64 + i);
-    }
+    algsurf_z_join_product(sum, WIDTH, product, 3, (algsurf_limb)1 << shift % 64, shift / 64, negative);
 }
 
 /* Is coefficient -2 a c? */

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "../base/options.h"
-#include "../roots/watch.h"
+#include "../roots/refine_impl.h"
 #include "../surface/impl.h"
 
 ALGSURF_KERNEL_CHOICE(rays)
@@ -17,12 +17,8 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
     if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
         return ALGSURF_E_ARGUMENT;
-    if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
-        return ALGSURF_E_ARGUMENT;
-    if (options->max_iterations < 0 || !(options->absolute_tolerance >= 0) ||
-        isinf(options->absolute_tolerance))
-        return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
+    const algsurf_refine_options how = algsurf_i_refinement_of(options);
+    if (!algsurf_i_refine_is_good(&how)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
         if (!kernel) return ALGSURF_E_ARGUMENT;

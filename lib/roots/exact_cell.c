@@ -105,27 +105,19 @@ static inline __attribute__((always_inline)) void casteljau(algsurf_limb *left, 
 
 /* With the width known to the compiler the sums are chains without a loop. */
 static void halve_block(algsurf_limb *left, algsurf_limb *right, int n, int w) {
-    switch (w) {
-#define WIDTH(x)                                                                                             \
-    case x:                                                                                                  \
-        casteljau(left, right, n, x);                                                                        \
-        break;
-        WIDTH(1)
-        WIDTH(2)
-        WIDTH(3)
-        WIDTH(4)
-        WIDTH(5)
-        WIDTH(6)
-        WIDTH(7)
-        WIDTH(8)
-        WIDTH(9)
-        WIDTH(10)
-        WIDTH(11)
-        WIDTH(12)
-#undef WIDTH
-    default:
-        casteljau(left, right, n, w);
-    }
+    w == 1    ? casteljau(left, right, n, 1)
+    : w == 2  ? casteljau(left, right, n, 2)
+    : w == 3  ? casteljau(left, right, n, 3)
+    : w == 4  ? casteljau(left, right, n, 4)
+    : w == 5  ? casteljau(left, right, n, 5)
+    : w == 6  ? casteljau(left, right, n, 6)
+    : w == 7  ? casteljau(left, right, n, 7)
+    : w == 8  ? casteljau(left, right, n, 8)
+    : w == 9  ? casteljau(left, right, n, 9)
+    : w == 10 ? casteljau(left, right, n, 10)
+    : w == 11 ? casteljau(left, right, n, 11)
+    : w == 12 ? casteljau(left, right, n, 12)
+              : casteljau(left, right, n, w);
 }
 
 /* position += 2^bit. */

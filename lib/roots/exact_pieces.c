@@ -53,7 +53,7 @@ int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int deg
     if (!algsurf_zpoly_new(m, degree, algsurf_z_width(most - least), p)) return 0;
     for (int k = 0; k <= degree; k++)
         if (c[k] != 0) algsurf_z_add_double(algsurf_zpoly_at(p, k), p->width, c[k], k * unit - least);
-    while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
+    *p = algsurf_zpoly_trimmed(p);
     return 1;
 }
 

@@ -55,23 +55,10 @@ static int make_envelope(const set *s, int above, int upper, algsurf_zpoly *enve
         algsurf_limb *c = algsurf_zpoly_at(envelope, k);
         if (k <= p->degree) algsurf_z_copy(c, w, algsurf_zpoly_at(p, k), p->width);
         if (k > radius->degree) continue;
-        if (upper == (above || k % 2 == 0))
-            algsurf_z_add_product(c, w, algsurf_zpoly_at(radius, k), radius->width, 1, 0);
-        else
-            algsurf_z_sub_product(c, w, algsurf_zpoly_at(radius, k), radius->width, 1, 0);
+        int minus = upper != (above || k % 2 == 0);
+        algsurf_z_join_product(c, w, algsurf_zpoly_at(radius, k), radius->width, 1, 0, minus);
     }
-    while (envelope->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(envelope, envelope->degree), w) == 0)
-        envelope->degree--;
-    return 1;
-}
-
-/* The sign of f at t, which may be infinite; 0 for f = 0. */
-static int sign_at_double(const set *s, const algsurf_zpoly *f, double t, int *sign) {
-    *sign = 0;
-    if (f->degree < 0) return 1;
-    if (isfinite(t)) return algsurf_exact_at_double(s->memory, f, s->unit, t, sign, NULL, NULL);
-    *sign = algsurf_z_sign(algsurf_zpoly_at(f, f->degree), f->width);
-    if (t < 0 && f->degree % 2) *sign = -*sign;
+    *envelope = algsurf_zpoly_trimmed(envelope);
     return 1;
 }
 
@@ -81,7 +68,8 @@ static int sign_at(const set *s, double t, int *sign) {
     algsurf_zpoly envelope;
     int at[2], done = 1;
     for (int i = 0; done && i < 2; i++)
-        done = make_envelope(s, t >= 0, i, &envelope) && sign_at_double(s, &envelope, t, at + i);
+        done = make_envelope(s, t >= 0, i, &envelope) &&
+               algsurf_exact_at_double(s->memory, &envelope, s->unit, t, at + i, NULL, NULL);
     algsurf_memory_release(s->memory, mark);
     if (done) *sign = at[0] == at[1] ? at[0] : UNKNOWN;
     return done;
@@ -118,7 +106,9 @@ static int find_roots(const set *s, const algsurf_zpoly *f, double lo, double hi
         }
     }
     algsurf_memory_release(s->memory, mark);
-    if (roots->count == 0 && !sign_at_double(s, f, isfinite(lo) ? lo : hi, sign)) return 0;
+    if (roots->count == 0 &&
+        !algsurf_exact_at_double(s->memory, f, s->unit, isfinite(lo) ? lo : hi, sign, NULL, NULL))
+        return 0;
     return found == ALGSURF_EXACT_END;
 }
 
@@ -173,11 +163,9 @@ static int times_index(algsurf_memory *memory, const algsurf_zpoly *f, int m, in
     int w = algsurf_z_width(algsurf_zpoly_bits(f) + 11);
     if (!algsurf_zpoly_new(memory, f->degree, w, g)) return 0;
     for (int k = 0; k <= f->degree; k++) {
-        const algsurf_limb *c = algsurf_zpoly_at(f, k);
-        if (k >= m || absolute)
-            algsurf_z_add_product(algsurf_zpoly_at(g, k), w, c, f->width, (algsurf_limb)abs(k - m), 0);
-        else
-            algsurf_z_sub_product(algsurf_zpoly_at(g, k), w, c, f->width, (algsurf_limb)(m - k), 0);
+        algsurf_limb factor = (algsurf_limb)abs(k - m);
+        algsurf_z_join_product(algsurf_zpoly_at(g, k), w, algsurf_zpoly_at(f, k), f->width, factor, 0,
+                               k < m && !absolute);
     }
     return 1;
 }

@@ -15,7 +15,12 @@
 
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent) {
-    int e;
+    int e, n = f->degree;
+    if (isinf(t)) {
+        *sign = n < 0 ? 0 : algsurf_z_sign(algsurf_zpoly_at(f, n), f->width);
+        if (t < 0 && n % 2) *sign = -*sign;
+        return 1;
+    }
     algsurf_limb odd = algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
     return algsurf_zpoly_sign_at(m, f, &N, 1, odd ? unit - e : 0, sign, value, exponent);
 }
@@ -137,9 +142,12 @@ static int set_doubles(algsurf_exact_walk *walk, double lo, double hi, algsurf_e
     return 1;
 }
 
-int algsurf_exact_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
-                          const algsurf_limb *end, int *sign) {
-    return algsurf_zpoly_sign_at(m, p, end, place->width, place->r, sign, NULL, NULL);
+int algsurf_exact_signs(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
+                        int *at_a, int *at_b) {
+    const int w = place->width, r = place->r;
+    if (at_b) *at_b = 0;
+    return algsurf_zpoly_sign_at(m, p, place->a, w, r, at_a, NULL, NULL) &&
+           (!at_b || !place->b || algsurf_zpoly_sign_at(m, p, place->b, w, r, at_b, NULL, NULL));
 }
 
 /* 2a, a + b and 2b over twice the denominator. */
@@ -155,7 +163,7 @@ int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int befor
     algsurf_z_shift_up(a, w, 1);
     algsurf_z_shift_up(b, w, 1);
     *place = (algsurf_exact_place){place->of, a, b, w, place->r + 1};
-    if (!algsurf_exact_sign_at(m, place->of, place, middle, &sign)) return 0;
+    if (!algsurf_zpoly_sign_at(m, place->of, middle, w, place->r, &sign, NULL, NULL)) return 0;
     if (sign == before || sign == 0) place->a = middle;
     if (sign != before) place->b = sign == 0 ? NULL : middle;
     return 1;
@@ -164,9 +172,7 @@ int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int befor
 /* Halves the place until neither end is a root: `before` is the sign just right of a. */
 static int part_from_ends(algsurf_memory *m, algsurf_exact_place *place, int before) {
     for (int at_a, at_b; place->b;) {
-        if (!algsurf_exact_sign_at(m, place->of, place, place->a, &at_a) ||
-            !algsurf_exact_sign_at(m, place->of, place, place->b, &at_b))
-            return 0;
+        if (!algsurf_exact_signs(m, place->of, place, &at_a, &at_b)) return 0;
         if (at_a && at_b) return 1;
         if (!algsurf_exact_halve(m, place, before)) return 0;
     }

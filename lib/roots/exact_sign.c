@@ -17,18 +17,12 @@ typedef struct judge {
     algsurf_exact_place place;
 } judge;
 
-/* Those of p at both ends. */
-static int signs_of(const judge *j, const algsurf_zpoly *p, int *at_a, int *at_b) {
-    return algsurf_exact_sign_at(j->memory, p, &j->place, j->place.a, at_a) &&
-           algsurf_exact_sign_at(j->memory, p, &j->place, j->place.b, at_b);
-}
-
 /* Does q' keep its sign over the place? */
 static int is_monotone(const judge *j, int *monotone) {
     algsurf_zpoly slope;
     int at_a, at_b;
     if (!algsurf_zpoly_derivative(j->memory, j->q, &slope)) return 0;
-    if (!signs_of(j, &slope, &at_a, &at_b)) return 0;
+    if (!algsurf_exact_signs(j->memory, &slope, &j->place, &at_a, &at_b)) return 0;
     *monotone = at_a * at_b >= 0;
     return 1;
 }
@@ -54,7 +48,7 @@ static int is_negative(const judge *j, int *negative) {
 static int judge_ends(const judge *j, int *known, int *sign) {
     int at_a, at_b, below = 0;
     *known = 1;
-    if (!signs_of(j, j->q, &at_a, &at_b)) return 0;
+    if (!algsurf_exact_signs(j->memory, j->q, &j->place, &at_a, &at_b)) return 0;
     *sign = at_a != 0 ? at_a : at_b;
     if (j->q->degree == 1) {
         *known = at_a * at_b >= 0;
@@ -80,7 +74,7 @@ static int is_shared(const judge *j, int *shared) {
     if (degree == 0) return 1;
     if (!algsurf_zpoly_split(j->memory, j->place.of, j->q, &parts)) return 0;
     if (parts.g.degree < 1) return 1;
-    if (!signs_of(j, &parts.g, &at_a, &at_b)) return 0;
+    if (!algsurf_exact_signs(j->memory, &parts.g, &j->place, &at_a, &at_b)) return 0;
     *shared = at_a * at_b < 0;
     return 1;
 }
@@ -94,10 +88,10 @@ static int judge_root(judge *j, int *sign) {
         *sign = 0;
         return 1;
     }
-    if (!algsurf_exact_sign_at(j->memory, j->place.of, &j->place, j->place.a, &before)) return 0;
+    if (!algsurf_exact_signs(j->memory, j->place.of, &j->place, &before, NULL)) return 0;
     while (!known) {
         if (!algsurf_exact_halve(j->memory, &j->place, before)) return 0;
-        if (!j->place.b) return algsurf_exact_sign_at(j->memory, j->q, &j->place, j->place.a, sign);
+        if (!j->place.b) return algsurf_exact_signs(j->memory, j->q, &j->place, sign, NULL);
         if (!judge_ends(j, &known, sign)) return 0;
     }
     return 1;
@@ -111,7 +105,7 @@ int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_roo
     if (q->degree <= 0)
         *sign = q->degree < 0 ? 0 : algsurf_z_sign(q->c, q->width);
     else if (!root->place.b)
-        done = algsurf_exact_sign_at(walk->memory, q, &root->place, root->place.a, sign);
+        done = algsurf_exact_signs(walk->memory, q, &root->place, sign, NULL);
     else
         done = judge_root(&j, sign);
     algsurf_memory_release(walk->memory, mark);

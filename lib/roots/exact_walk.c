@@ -102,9 +102,8 @@ static int next_listed(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place *place, int *multiplicity) {
     *multiplicity = 1;
     for (int i = 1; i < walk->parts; i++) {
-        int at_a, at_b = 0;
-        if (!algsurf_exact_sign_at(walk->memory, walk->s + i, place, place->a, &at_a)) return 0;
-        if (place->b && !algsurf_exact_sign_at(walk->memory, walk->s + i, place, place->b, &at_b)) return 0;
+        int at_a, at_b;
+        if (!algsurf_exact_signs(walk->memory, walk->s + i, place, &at_a, &at_b)) return 0;
         if (place->b ? at_a == at_b : at_a != 0) break;
         *multiplicity = i + 1;
     }
@@ -116,10 +115,10 @@ static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place
 static int find_sign_before(algsurf_exact_walk *walk, const algsurf_exact_place *place, int multiplicity,
                             int *sign) {
     algsurf_zpoly d = walk->p;
-    if (place->b) return algsurf_exact_sign_at(walk->memory, &walk->p, place, place->a, sign);
+    if (place->b) return algsurf_exact_signs(walk->memory, &walk->p, place, sign, NULL);
     for (int i = 0; i < multiplicity; i++)
         if (!algsurf_zpoly_derivative(walk->memory, &d, &d)) return 0;
-    if (!algsurf_exact_sign_at(walk->memory, &d, place, place->a, sign)) return 0;
+    if (!algsurf_exact_signs(walk->memory, &d, place, sign, NULL)) return 0;
     if (multiplicity % 2) *sign = -*sign;
     return 1;
 }

@@ -205,9 +205,9 @@ enum {
 };
 int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece);
 
-/* exact_refine.c: the sign of p at a or b of a place. */
-int algsurf_exact_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
-                          const algsurf_limb *end, int *sign);
+/* exact_refine.c: the signs of p at a and b of a place; at_b may be null, and is 0 where there is no b. */
+int algsurf_exact_signs(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_exact_place *place,
+                        int *at_a, int *at_b);
 /* Halves an interval, `before` being the sign just right of a; the middle may be found to be the root. */
 int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int before);
 /* lo, hi and t as the place tells them. */
@@ -216,7 +216,8 @@ void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *
 int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
 /* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for. */
 int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root);
-/* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
+/* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t; of t = +-infinity the sign
+ * beyond all roots, without a value. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
 /* decide.c: a polynomial from a caller's integers; returns 0 without memory. */

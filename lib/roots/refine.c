@@ -29,15 +29,17 @@
 
 /* ---- what both entries share ---- */
 
+int algsurf_i_refine_is_good(const algsurf_refine_options *how) {
+    return how->method >= ALGSURF_METHOD_DEFAULT && how->method <= ALGSURF_METHOD_REGULA_FALSI &&
+           how->max_iterations >= 0 && how->absolute_tolerance >= 0 && !isinf(how->absolute_tolerance) &&
+           algsurf_i_observer_is_good(how->observer);
+}
+
 static algsurf_status read_options(algsurf_i_search *s, const algsurf_refine_options *options, int *method,
                                    algsurf_observer **observer) {
     algsurf_refine_options known = {.size = sizeof known};
     if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_observer_is_good(known.observer)) return ALGSURF_E_ARGUMENT;
-    int number = known.method;
-    if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
-    if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
-    if (!(known.absolute_tolerance >= 0) || isinf(known.absolute_tolerance)) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_refine_is_good(&known)) return ALGSURF_E_ARGUMENT;
     s->rounding = 0x1p-51;
     s->tolerance = fmin(0.5 * known.absolute_tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
     s->max_iterations = known.max_iterations ? known.max_iterations : 1000;

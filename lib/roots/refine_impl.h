@@ -15,6 +15,9 @@ algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const d
                                          double hi, const algsurf_refine_options *options,
                                          algsurf_refined_root *result);
 
+/* Are method, limits and observer good ones? */
+int algsurf_i_refine_is_good(const algsurf_refine_options *how);
+
 /* ---- search.c: the bracket that all refinement methods share, and the methods ---- */
 
 /* b is the best end, the one with the smaller |f|; c the other, f(b) f(c) <= 0; a the b before (Brent's

@@ -109,13 +109,18 @@ static void bisection(algsurf_i_search *s) {
     while (running(s)) (void)step_to(s, s->b + half_width(s));
 }
 
-/* The zero of the chord through (b, f(b)) and (c, f(c)).  One end of the bracket usually stays for ever,
- * so the width says little: the method also stops when it hardly moves.  An infinite value has no chord. */
+/* The zero of the chord through (b, f(b)) and (c, f(c)). */
+static double chord(const algsurf_i_search *s) {
+    double ratio = s->fb / s->fc;
+    return s->b + 2.0 * (ratio / (ratio - 1.0)) * half_width(s);
+}
+
+/* One end of the bracket usually stays for ever, so the width says little: the method also stops when it
+ * hardly moves.  An infinite value has no chord. */
 static void regula_falsi(algsurf_i_search *s) {
     double before = INFINITY;
     while (running(s)) {
-        double ratio = s->fb / s->fc, part = isfinite(s->fc) ? ratio / (ratio - 1.0) : 0.5;
-        double x = s->b + 2.0 * part * half_width(s);
+        double x = isfinite(s->fc) ? chord(s) : s->b + half_width(s);
         (void)step_to(s, x);
         s->settled = fabs(x - before) <= 2.0 * wanted_half(s);
         before = x;
@@ -181,11 +186,6 @@ static double halfway(const algsurf_i_search *s, int halvings) {
     if (halvings < MEANS || is_near(s->b, s->c)) return s->b + half_width(s);
     int64_t b = algsurf_i_number_of(s->b), c = algsurf_i_number_of(s->c);
     return algsurf_i_double_of(b / 2 + c / 2 + (b % 2 + c % 2) / 2);
-}
-
-static double chord(const algsurf_i_search *s) {
-    double ratio = s->fb / s->fc;
-    return s->b + 2.0 * (ratio / (ratio - 1.0)) * half_width(s);
 }
 
 static void guarded_newton(algsurf_i_search *s, const double *newton) {

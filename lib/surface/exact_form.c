@@ -131,18 +131,8 @@ static void add_integer(algsurf_limb *r, int width, const algsurf_limb *a, int w
 
 /* p += x 2^shift, an integer. */
 static void sum_add_double(exact_sum *p, double x, int shift) {
-    int e;
-    algsurf_limb odd = algsurf_z_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
-    e += shift;
-    int bits = e + algsurf_limb_bits(odd), first = e / 64, rest = e % 64;
-    sum_expect(p, 0, bits, 1);
-    if (odd == 0) return;
-    algsurf_limb part[2] = {odd << rest, rest ? odd >> (64 - rest) : 0};
-    unsigned char carry = sign != 0; /* -x = ~x + 1 */
-    for (int i = first; i < p->width; i++) {
-        algsurf_limb add = i < first + 2 ? part[i - first] : 0;
-        p->c[i] = algsurf_limb_add(p->c[i], add ^ sign, &carry);
-    }
+    sum_expect(p, 0, span_of(x).top + shift, 1);
+    algsurf_z_add_double(p->c, p->width, x, shift);
 }
 
 /* p += q; q is used up (p may receive its room). */
