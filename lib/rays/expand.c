@@ -40,12 +40,6 @@ static int is_lost(const algsurf_i_frame *f, const double direction[3]) {
     return 0;
 }
 
-/* (s - centre) / step, the difference exact. */
-static algsurf_dd local(double s, const algsurf_i_frame *f) {
-    if (isinf(s)) return algsurf_dd_from(s);
-    return algsurf_dd_scale(algsurf_two_sum(s, -f->centre), 1 / f->step);
-}
-
 static void place(algsurf_i_frame *f, const double O[3], double centre) {
     f->centre = centre;
     for (int i = 0; i < 3; i++) f->X[i] = algsurf_dd_add_d(algsurf_two_prod(centre, f->V[i]), O[i]);
@@ -75,8 +69,6 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     }
     for (int i = 0; i < 3; i++) f->D[i] = algsurf_i_scaled(f->V[i], ilogb(f->step));
     f->lost = is_lost(f, ray->direction);
-    f->lo = local(lo, f);
-    f->hi = local(hi, f);
 }
 
 /* ---- P along a line ---- */
@@ -227,10 +219,11 @@ static algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray
     int n = s->degree;
     algsurf_i_frame_of(s, ray, 1, &f);
     double X[3] = {f.X[0].hi, f.X[1].hi, f.X[2].hi};
+    double lo = (ldexp(ray->t_min, f.exponent) - f.centre) / f.step,
+           hi = (ldexp(ray->t_max, f.exponent) - f.centre) / f.step;
     algsurf_i_expand_d(s, X, f.D, q, qr);
     if (f.lost || !all_finite(q, qr, n)) return ALGSURF_E_RANGE;
-    if (algsurf_poly_to_bernstein(q, qr, n, f.lo.hi, f.hi.hi, value, radius) != ALGSURF_OK)
-        return ALGSURF_E_RANGE;
+    if (algsurf_poly_to_bernstein(q, qr, n, lo, hi, value, radius) != ALGSURF_OK) return ALGSURF_E_RANGE;
     /* The ends were rounded: each factor of the blossom is off by a relative u, |ends| <= 1. */
     for (int i = 0; i <= n; i++) size += fabs(q[i]);
     for (int i = 0; i <= n; i++) radius[i] += 2 * n * ALGSURF_U * size;

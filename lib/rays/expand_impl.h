@@ -17,8 +17,7 @@ typedef struct algsurf_i_frame {
     algsurf_dd X[3];     /* the point at v = 0, relative error 2^-104 */
     double V[3];         /* direction by s */
     double D[3];         /* direction by v: step V */
-    algsurf_dd lo, hi;   /* the ray's t_min, t_max in v, exact up to 2^-105; hi part +-inf if infinite */
-    int one_piece;       /* 1: [lo,hi] lies in [-1,1] */
+    int one_piece;       /* 1: the ray's t_min, t_max lie in [-1,1] of v */
     int lost;            /* 1: V is not the exact direction, and s so large that this shows in X and D */
 } algsurf_i_frame;
 
