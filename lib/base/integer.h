@@ -144,6 +144,13 @@ static inline algsurf_limb algsurf_z_multiply(algsurf_limb *a, int n, algsurf_li
     return carry;
 }
 
+/* A magnitude a of n limbs, and room for one more: a = a f + digit; its new length is returned. */
+static inline int algsurf_z_extend(algsurf_limb *a, int n, algsurf_limb f, algsurf_limb digit) {
+    for (int i = 0; i < n; i++) a[i] = algsurf_limb_product(a[i], f, digit, 0, &digit);
+    a[n] = digit;
+    return n + (digit != 0);
+}
+
 /* A number as sign and magnitude, to multiply by. */
 typedef struct algsurf_z_factor {
     int negative, length, bits; /* length 0: zero; the magnitude is below 2^bits and at least 2^(bits-1) */

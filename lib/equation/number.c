@@ -78,13 +78,6 @@ static size_t read_exponent(const char *text, char letter, long long *exponent) 
     return at;
 }
 
-/* a = a factor + plus, which is less than the factor. */
-static void extend(whole *a, algsurf_limb factor, algsurf_limb plus) {
-    a->limb[a->length] = algsurf_z_multiply(a->limb, a->length, factor);
-    algsurf_z_add_limbs(a->limb, a->length + 1, plus, 0);
-    if (a->limb[a->length]) a->length++;
-}
-
 /* a radix^power, plus the number that the next `power` digits are, if there are any. */
 static void append(whole *a, int radix, long long power, const unsigned char *digit) {
     while (power > 0) {
@@ -93,7 +86,7 @@ static void append(whole *a, int radix, long long power, const unsigned char *di
             factor *= (algsurf_limb)radix;
             if (digit) plus = plus * (algsurf_limb)radix + *digit++;
         }
-        extend(a, factor, plus);
+        a->length = algsurf_z_extend(a->limb, a->length, factor, plus);
     }
 }
 

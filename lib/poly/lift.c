@@ -178,18 +178,11 @@ static void add_magnitudes(algsurf_limb *r, const algsurf_limb *a, int na, const
     for (int i = 0; i < nb; i++) algsurf_z_add_product(r, na + nb + 1, a, na + 1, b[i], i);
 }
 
-/* x = x f + digit, for x of `length` limbs; returns the new length. */
-static int horner_step(algsurf_limb *x, int length, algsurf_limb f, algsurf_limb digit) {
-    for (int i = 0; i < length; i++) x[i] = algsurf_limb_product(x[i], f, digit, 0, &digit);
-    x[length] = digit;
-    return length + (digit != 0);
-}
-
 static void set_modulus(workshop *w) {
     w->modulus[0] = 1;
     w->limbs = 1;
     for (const algsurf_image *i = w->lift->last; i; i = i->before)
-        w->limbs = horner_step(w->modulus, w->limbs, i->prime.p, 0);
+        w->limbs = algsurf_z_extend(w->modulus, w->limbs, i->prime.p, 0);
     w->bits = bits_of(w->modulus, w->limbs);
 }
 
@@ -202,7 +195,8 @@ static int multiple(workshop *w, int k) {
     memset(w->value, 0, bytes);
     memset(w->product, 0, 2 * bytes);
     w->value[0] = i->digit[k];
-    for (i = i->before; i; i = i->before) length = horner_step(w->value, length, i->prime.p, i->digit[k]);
+    for (i = i->before; i; i = i->before)
+        length = algsurf_z_extend(w->value, length, i->prime.p, i->digit[k]);
     if (d == 1 && w->denominator[0] == 1) {
         memcpy(w->product, w->value, bytes);
     } else {

@@ -163,9 +163,9 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
     return finish(&q, &read, &hits, exact);
 }
 
-static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray_packet *given,
-                                           const algsurf_intersect_options *options, unsigned char *state) {
+static algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
+                          const algsurf_ray_packet *given, const algsurf_intersect_options *options,
+                          unsigned char *state) {
     algsurf_i_query q;
     algsurf_ray_packet rays;
     algsurf_status status = prepare(&q, &rays, surface, extent, given, options);
@@ -183,20 +183,20 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     return status;
 }
 
-algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
-                                        const algsurf_ray_packet *rays,
-                                        const algsurf_intersect_options *options,
-                                        const algsurf_hit_packet *hits) {
-    algsurf_status status;
+static algsurf_status packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                             const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
+                             const algsurf_hit_packet *hits) {
     uint64_t exact = 0;
-    ALGSURF_STANDARD(status = algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact));
-    return status;
+    return algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact);
 }
 
-algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const algsurf_extent *extent,
-                                       const algsurf_ray_packet *rays,
-                                       const algsurf_intersect_options *options, unsigned char *state) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = any(surface, extent, rays, options, state));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, intersect_packet, packet,
+                 (const algsurf_surface *surface, const algsurf_extent *extent,
+                  const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
+                  const algsurf_hit_packet *hits),
+                 (surface, extent, rays, options, hits))
+ALGSURF_I_PUBLIC(algsurf_status, occluded_packet, any,
+                 (const algsurf_surface *surface, const algsurf_extent *extent,
+                  const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
+                  unsigned char *state),
+                 (surface, extent, rays, options, state))

@@ -141,9 +141,8 @@ static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
 
 static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
 
-static ALGSURF_NOINLINE algsurf_status first_roots(const algsurf_real_batch *batch,
-                                                   const algsurf_batch_options *options, unsigned char *state,
-                                                   double *root) {
+static algsurf_status first_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
+                                  unsigned char *state, double *root) {
     query q;
     algsurf_i_polys_job job;
     algsurf_status status = read_batch(&q, batch, options);
@@ -167,9 +166,8 @@ static ALGSURF_NOINLINE algsurf_status first_roots(const algsurf_real_batch *bat
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch,
-                                                 const algsurf_batch_options *options,
-                                                 algsurf_real_root *roots, int *count) {
+static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
+                                algsurf_real_root *roots, int *count) {
     query q;
     algsurf_i_polys_job job;
     algsurf_status status = read_batch(&q, batch, options);
@@ -190,17 +188,11 @@ static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch
     return status;
 }
 
-algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
-                                         const algsurf_batch_options *options, unsigned char *state,
-                                         double *root) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = first_roots(batch, options, state, root));
-    return status;
-}
-
-algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch, const algsurf_batch_options *options,
-                                        algsurf_real_root *roots, int *count) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = all_roots(batch, options, roots, count));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, first_roots_batch, first_roots,
+                 (const algsurf_real_batch *batch, const algsurf_batch_options *options, unsigned char *state,
+                  double *root),
+                 (batch, options, state, root))
+ALGSURF_I_PUBLIC(algsurf_status, real_roots_batch, all_roots,
+                 (const algsurf_real_batch *batch, const algsurf_batch_options *options,
+                  algsurf_real_root *roots, int *count),
+                 (batch, options, roots, count))

@@ -29,7 +29,7 @@ typedef struct algsurf_i_search {
     double rounding;  /* that, relative to b */
     int max_iterations;
     double a, b, c, fa, fb, fc;
-    double x, fx; /* the newest point */
+    double x; /* the newest point */
     int evaluations, iterations;
     int nan, settled; /* f returned NaN; the method itself decided to stop */
 } algsurf_i_search;

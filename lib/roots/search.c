@@ -51,7 +51,7 @@ static void order(algsurf_i_search *s) {
 static int step_to(algsurf_i_search *s, double x) {
     double y = value_at(s, x);
     s->iterations++;
-    s->x = x, s->fx = y;
+    s->x = x;
     s->a = s->b, s->fa = s->fb;
     s->b = x, s->fb = y;
     int crossed = (y > 0 && s->fc > 0) || (y < 0 && s->fc < 0);
@@ -85,7 +85,7 @@ static int running(const algsurf_i_search *s) {
 int algsurf_i_search_begin(algsurf_i_search *s, double lo, double hi) {
     s->a = s->c = lo, s->b = s->x = hi;
     s->fa = s->fc = value_at(s, lo);
-    s->fb = s->fx = value_at(s, hi);
+    s->fb = value_at(s, hi);
     int opposite = (s->fc <= 0 && s->fb >= 0) || (s->fc >= 0 && s->fb <= 0);
     order(s);
     return opposite;

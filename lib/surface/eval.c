@@ -72,10 +72,6 @@ static inline __attribute__((always_inline)) jet scheme(const algsurf_surface *s
     return p;
 }
 
-static double value_only(const algsurf_surface *s, const double x[3]) {
-    return scheme(s, x[0], x[1], x[2], 0, 0).v;
-}
-
 static jet value_and_gradient(const algsurf_surface *s, const double x[3]) {
     return scheme(s, x[0], x[1], x[2], 1, 0);
 }
@@ -87,7 +83,6 @@ static jet magnitudes(const algsurf_surface *s, const double x[3]) {
 double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]) { return magnitudes(s, x).v; }
 
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]) {
-    if (!gradient) return value_only(s, x);
     jet p = value_and_gradient(s, x);
     gradient[0] = p.x;
     gradient[1] = p.y;
@@ -213,7 +208,7 @@ static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double 
     if (to_natural(s, point, x)) {
         jet m = magnitudes(s, x);
         if (in_range(s, x, m.v)) {
-            return to_caller(value_only(s, x), bound_factor(s) * m.v, -s->scale);
+            return to_caller(scheme(s, x[0], x[1], x[2], 0, 0).v, bound_factor(s) * m.v, -s->scale);
         }
     }
     return wide_sum(s, point, -1);
@@ -237,8 +232,9 @@ static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double 
     for (int by = -1; by < 3; by++) of[by + 1] = wide_sum(s, point, by);
 }
 
-static ALGSURF_NOINLINE algsurf_status give_value(const algsurf_surface *surface, const double *point,
-                                                  double *value, double *bound) {
+static algsurf_status give_value(const algsurf_surface *surface, const double point[3], double *value,
+                                 double *bound) {
+    if (!surface || !point || !value) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
     bounded p = value_at(surface, point);
     if (!is_finite(p)) return ALGSURF_E_RANGE;
@@ -247,18 +243,14 @@ static ALGSURF_NOINLINE algsurf_status give_value(const algsurf_surface *surface
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3], double *value,
-                                     double *bound) {
-    if (!surface || !point || !value) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = give_value(surface, point, value, bound));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, surface_value, give_value,
+                 (const algsurf_surface *surface, const double point[3], double *value, double *bound),
+                 (surface, point, value, bound))
 
-static ALGSURF_NOINLINE algsurf_status give_gradient(const algsurf_surface *surface, const double *point,
-                                                     double *value, double *gradient, double *value_bound,
-                                                     double *gradient_bound) {
+static algsurf_status give_gradient(const algsurf_surface *surface, const double point[3], double *value,
+                                    double gradient[3], double *value_bound, double gradient_bound[3]) {
     bounded of[4];
+    if (!surface || !point || !value || !gradient) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
     gradient_at(surface, point, of);
     for (int i = 0; i < 4; i++) {
@@ -273,10 +265,7 @@ static ALGSURF_NOINLINE algsurf_status give_gradient(const algsurf_surface *surf
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3], double *value,
-                                        double gradient[3], double *value_bound, double gradient_bound[3]) {
-    if (!surface || !point || !value || !gradient) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = give_gradient(surface, point, value, gradient, value_bound, gradient_bound));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, surface_gradient, give_gradient,
+                 (const algsurf_surface *surface, const double point[3], double *value, double gradient[3],
+                  double *value_bound, double gradient_bound[3]),
+                 (surface, point, value, gradient, value_bound, gradient_bound))

@@ -72,15 +72,15 @@ algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, d
 int algsurf_i_surface_set_tables(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
- * natural coordinates), in double, no bounds: gradient may be null. */
+ * natural coordinates), in double, no bounds. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
 /* The sum of the sizes of P's terms, in natural scale, at a point in natural units: too small by 2 n + 3
  * roundings at most; what is 0 or underflows counts as 2^-960 or more. */
 double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]);
 
-/* The same gradient, of the coefficients as they are, at a point in the caller's units; 0 where it may be that
- * rounding leaves less than 20 bits of it: then its direction is off by less than 10^-4 degrees. */
+/* The same gradient, of the coefficients as they are, at a point in the caller's units; 0 where it may be
+ * that rounding leaves less than 20 bits of it: then its direction is off by less than 10^-4 degrees. */
 #define ALGSURF_I_CLEAR 0x1p20
 int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double point[3], double gradient[3]);
 

@@ -19,6 +19,7 @@
 
 #include "../base/fpenv.h"
 #include "../base/elementary.h"
+#include "../base/integer.h"
 
 /* A term and its place in the input: sorting with it is stable, whatever qsort does. */
 typedef struct placed_term {
@@ -95,19 +96,13 @@ typedef struct degree_summary {
     double sum; /* sum of |a| 2^-top */
 } degree_summary;
 
-static int last_bit_exponent(double a) {
-    int e;
-    long long n = (long long)(frexp(fabs(a), &e) * 0x1p53);
-    for (e -= 53; n % 2 == 0; n /= 2) e++;
-    return e;
-}
-
 static void summarise(const algsurf_surface *s, degree_summary of[ALGSURF_MAX_DEGREE + 1]) {
     for (int d = 0; d <= s->degree; d++) of[d] = (degree_summary){INT_MIN, INT_MAX, 0.0};
     for (size_t t = 0; t < s->term_count; t++) {
         const algsurf_term *term = &s->terms[t];
         degree_summary *d = &of[term->i + term->j + term->k];
-        int e, low = last_bit_exponent(term->a);
+        int e, low;
+        (void)algsurf_z_odd_part(term->a, &low);
         (void)frexp(term->a, &e);
         if (d->top < e) d->top = e;
         if (d->low > low) d->low = low;
@@ -237,30 +232,25 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
     return status;
 }
 
-algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t count,
-                                          algsurf_surface **surface) {
+static algsurf_status from_terms(const algsurf_term *terms, size_t count, algsurf_surface **surface) {
     if (!terms || count == 0 || !surface) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
     algsurf_status status = check_terms(terms, count);
-    if (status == ALGSURF_OK) status = algsurf_i_surface_make(terms, count, 0, 0, surface);
-    algsurf_fpenv_leave(&saved);
-    return status;
+    return status == ALGSURF_OK ? algsurf_i_surface_make(terms, count, 0, 0, surface) : status;
 }
 
-static ALGSURF_NOINLINE algsurf_status make_approximate(const algsurf_surface *surface, double error,
-                                                        algsurf_surface **approximate) {
-    if (!(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
+ALGSURF_I_PUBLIC(algsurf_status, surface_from_terms, from_terms,
+                 (const algsurf_term *terms, size_t count, algsurf_surface **surface),
+                 (terms, count, surface))
+
+static algsurf_status with_error(const algsurf_surface *surface, double error,
+                                 algsurf_surface **approximate) {
+    if (!surface || !approximate || !(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
     return algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
 }
 
-algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
-                                          algsurf_surface **approximate) {
-    if (!surface || !approximate) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = make_approximate(surface, error, approximate));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, surface_with_error, with_error,
+                 (const algsurf_surface *surface, double error, algsurf_surface **approximate),
+                 (surface, error, approximate))
 
 double algsurf_surface_rounding(const algsurf_surface *surface) { return surface ? surface->rounding : 0; }
 
