@@ -40,8 +40,13 @@ static int parse_sum(parser *p);
 static int parse_signed(parser *p);
 static int parse_primary(parser *p);
 
-static int enter(parser *p, size_t offset) {
-    return ++p->depth <= ALGSURF_I_DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
+/* A part of the text, one level deeper. */
+static int nested(parser *p, size_t offset, int (*part)(parser *)) {
+    if (++p->depth > ALGSURF_I_DEPTH_LIMIT)
+        return algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
+    int ok = part(p);
+    p->depth--;
+    return ok;
 }
 
 /* Refuses what stands here. */
@@ -56,16 +61,19 @@ static const char *expected_closing(char closing) {
                             : "expected an operator or '}'";
 }
 
-static int parse_bracket(parser *p) {
-    char closing = algsurf_i_closing(peek(p));
-    if (!closing) return algsurf_i_parse_refuse(p, p->at, "expected '('");
-    if (!enter(p, p->at)) return 0;
+/* From the opening bracket to the closing one. */
+static int parse_inside(parser *p) {
+    char closing = algsurf_i_closing(p->token.kind);
     take(p);
     if (!parse_sum(p)) return 0;
     if (peek(p) != closing) return refuse_token(p, expected_closing(closing));
     take(p);
-    p->depth--;
     return 1;
+}
+
+static int parse_bracket(parser *p) {
+    if (!algsurf_i_closing(peek(p))) return algsurf_i_parse_refuse(p, p->at, "expected '('");
+    return nested(p, p->at, parse_inside);
 }
 
 /* The root of the operand that stands here. */
@@ -76,11 +84,8 @@ static int parse_root_of(parser *p, int (*operand)(parser *)) {
 }
 
 static int parse_root_sign(parser *p) {
-    if (!enter(p, p->at)) return 0;
     take(p);
-    if (!parse_root_of(p, parse_primary)) return 0;
-    p->depth--;
-    return 1;
+    return parse_root_of(p, parse_primary);
 }
 
 /* What a command of LaTeX applies to: a bracket, or a digit, since \frac12 is 1/2. */
@@ -100,14 +105,11 @@ static int parse_latex_sqrt(parser *p) {
 
 static int parse_fraction(parser *p) {
     size_t offset = p->at;
-    if (!enter(p, offset)) return 0;
     take(p);
     if (!parse_argument(p)) return 0;
     (void)peek(p);
     size_t divisor = p->at;
-    if (!parse_argument(p)) return 0;
-    p->depth--;
-    return algsurf_i_parse_divide(p, offset, divisor);
+    return parse_argument(p) && algsurf_i_parse_divide(p, offset, divisor);
 }
 
 /* Does a product with a variable stand here, as in sin x or sin ax?  p->token is seen. */
@@ -147,8 +149,7 @@ static int parse_bare_argument(parser *p) {
     if (c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT)
         return algsurf_i_parse_refuse(p, offset, "an exponent behind sin or cos: write sin(a)^2");
     if (!begins_operand(p, c)) return refuse_token(p, BRACKETS);
-    if (!enter(p, offset) || !parse_primary(p)) return 0;
-    p->depth--;
+    if (!nested(p, offset, parse_primary)) return 0;
     return !product_goes_on(p, peek(p)) || algsurf_i_parse_refuse(p, offset, BRACKETS);
 }
 
@@ -208,11 +209,11 @@ static int parse_primary(parser *p) {
     case ALGSURF_I_TOKEN_LETTER:
         return parse_name(p);
     case ALGSURF_I_TOKEN_ROOT:
-        return parse_root_sign(p);
+        return nested(p, p->at, parse_root_sign);
     case ALGSURF_I_TOKEN_SQRT:
         return parse_latex_sqrt(p);
     case ALGSURF_I_TOKEN_FRACTION:
-        return parse_fraction(p);
+        return nested(p, p->at, parse_fraction);
     case ALGSURF_I_TOKEN_SINE:
     case ALGSURF_I_TOKEN_COSINE:
         return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE);
@@ -233,9 +234,7 @@ static int parse_exponent(parser *p) {
     take(p);
     (void)peek(p);
     size_t exponent_offset = p->at;
-    if (!enter(p, offset) || !parse_signed(p)) return 0;
-    p->depth--;
-    return algsurf_i_parse_power(p, offset, exponent_offset);
+    return nested(p, offset, parse_signed) && algsurf_i_parse_power(p, offset, exponent_offset);
 }
 
 /* Superscripts in a row, and the base raised to them. */
