@@ -213,4 +213,29 @@ static inline int random_below(int n) {
     return (int)(seed >> 33) % n;
 }
 
+/* prod f[i]^m[i] of one to four random factors, real or Gaussian; Gaussian ones may share roots with their
+ * conjugates.  Roots have denominators of 3, or `wild`: up to 2^19 + 1. */
+static inline poly *random_product(int real, int wild, const int m[4], poly *f[4]) {
+    int factors = 1 + random_below(4), taken = 0;
+    poly *p = make(0);
+    mpz_set_ui(p->re[0], 1);
+    for (int i = 0; i < factors; i++) {
+        int roots = 1 + random_below(4);
+        f[i] = make(0);
+        mpz_set_ui(f[i]->re[0], 1);
+        for (int k = 0; k < roots; k++) { /* roots differ in their real parts, but conjugates */
+            long a = 7 * ++taken + random_below(5), b = random_below(3) * (1 + random_below(9));
+            long under = wild ? 1L << random_below(20) | 1 : 3;
+            f[i] = times_root(f[i], a, b, under);
+            if (b && (real || random_below(2))) f[i] = times_root(f[i], a, -b, under);
+        }
+        for (int k = 0; k < m[i]; k++) {
+            poly *q = product(p, f[i]);
+            drop(p);
+            p = q;
+        }
+    }
+    return p;
+}
+
 #endif

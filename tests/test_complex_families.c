@@ -214,26 +214,11 @@ TEST(geometric) {
  */
 TEST(multiple) {
     for (int round = 0; round < 60; round++) {
-        poly *f[FACTORS] = {NULL}, *p = make(0);
-        int m[FACTORS] = {1, 2, 3, 5}, real = round % 2, factors = 1 + random_below(FACTORS), taken = 0;
-        mpz_set_ui(p->re[0], 1);
-        for (int i = 0; i < factors; i++) {
-            int roots = 1 + random_below(4);
-            f[i] = make(0);
-            mpz_set_ui(f[i]->re[0], 1);
-            for (int k = 0; k < roots; k++) { /* roots differ in their real parts, but conjugates */
-                long a = 7 * ++taken + random_below(5), b = random_below(3) * (1 + random_below(9));
-                f[i] = times_root(f[i], a, b, 3);
-                if (b && (real || random_below(2))) f[i] = times_root(f[i], a, -b, 3);
-            }
-            for (int k = 0; k < m[i]; k++) {
-                poly *q = product(p, f[i]);
-                drop(p);
-                p = q;
-            }
-        }
+        poly *f[FACTORS] = {NULL};
+        const int m[FACTORS] = {1, 2, 3, 5};
+        poly *p = random_product(round % 2, 0, m, f);
         judge("multiple roots", p, (const poly *const *)f, m, -1);
-        for (int i = 0; i < factors; i++) drop(f[i]);
+        for (int i = 0; i < FACTORS && f[i]; i++) drop(f[i]);
         drop(p);
     }
 }
