@@ -10,7 +10,6 @@
  *
  *     test_decided [rounds [seed]]     default: 1 and 59
  */
-#include <time.h>
 
 #include "intersect_case.h"
 
@@ -460,8 +459,6 @@ TEST(test_picture_of_itself) {
 
 /* ---- what took too long ---- */
 
-static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
-
 TEST(test_far_exponents) {
     const algsurf_term terms[] = {
         {52, 0, 2, 0x1p512}, {7, 48, 0, 0x1p53}, {50, 9, 0, 0x0.012688b70e62bp-1022}};
@@ -471,9 +468,9 @@ TEST(test_far_exponents) {
                           {-0x1.a888cefc9fcf2p+1, -0x1.11775b13a6689p-16, 0x1p-1000},
                           0,
                           8};
-    double begun = seconds();
+    double begun = unit_seconds();
     assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
-    double taken = seconds() - begun;
+    double taken = unit_seconds() - begun;
     printf("far exponents: %.2f s, state %d, multiplicity %d at %a\n", taken, hit.state, hit.multiplicity,
            hit.t);
     /* x^7 divides P; x is 0 at t = 2^-1000 / 3.3.. */
@@ -525,9 +522,9 @@ TEST(test_powers_of_a_sphere) {
                 c.ray.origin[axis] = 1.2 * exact_random_unit(&seed) - 4 * c.ray.direction[axis];
             }
             c.ray.t_min = -INFINITY, c.ray.t_max = INFINITY;
-            double begun = seconds();
+            double begun = unit_seconds();
             assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
-            taken += seconds() - begun;
+            taken += unit_seconds() - begun;
             int meets = meets_sphere(c.ray.origin, c.ray.direction);
             int right = meets ? hit.multiplicity == rows[i].power && hit.side == 1 : hit.multiplicity == 0;
             if (!right || hit.state != (meets ? ALGSURF_HIT : ALGSURF_MISS)) {

@@ -1,11 +1,9 @@
 /* test_equation_time.c - reading an equation takes time in proportion to the length of the text, times the
  * number of terms of the polynomials that are met.
  *
- * Bounds are processor time, many times what an ordinary machine takes, and many times less than what a power
- * of the length that is too high would take.
+ * Bounds are processor time (unit.h), many times what an ordinary machine takes, and many times less than
+ * what a power of the length that is too high would take.
  */
-#include <time.h>
-
 #include "algsurf/surface.h"
 #include "scenes.h"
 #include "unit.h"
@@ -24,9 +22,9 @@ static char *repeated(const char *start, const char *unit, size_t count, const c
 static double took(const char *text, const algsurf_constant *constants, size_t count,
                    algsurf_status *status) {
     algsurf_surface *surface = NULL;
-    clock_t begin = clock();
+    double begin = unit_seconds();
     *status = algsurf_surface_from_equation(text, constants, count, &surface, NULL);
-    double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+    double seconds = unit_seconds() - begin;
     algsurf_surface_free(surface);
     return seconds;
 }

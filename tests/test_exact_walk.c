@@ -10,7 +10,6 @@
  * wrong place, or none made (slow); ends of places that are roots; enclosures that reach over an end of the
  * interval; widths without room for a halving; memory not given back, a failed allocation not seen; bisection
  * never taken.  Outer parts of a zoom that are not proved: test_exact_sign. */
-#include <time.h>
 
 #include "exact_known.h"
 #include "exact_roots.h"
@@ -475,9 +474,9 @@ static double far_roots(const far_coefficient c[5], int k, algsurf_real_root roo
                                  mpz_sgn(value[i]) * (int)mpz_size(value[i])};
     }
     while (z[n].length == 0) n--;
-    clock_t start = clock();
+    double start = unit_seconds();
     algsurf_status status = algsurf_real_roots_integers(z, n, -HUGE_VAL, HUGE_VAL, root, 4, count);
-    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    double seconds = unit_seconds() - start;
     assert_ok(status);
     for (int i = 0; i <= 4; i++) mpz_clear(value[i]);
     return seconds;
@@ -515,9 +514,9 @@ TEST(test_sizes) {
 /* ---- named polynomials ---- */
 
 static double seconds_of(const known *k, double lo, double hi) {
-    clock_t start = clock();
+    double start = unit_seconds();
     judge_once(&(query){k, 0, 1, lo, hi, "timed", 0});
-    return (double)(clock() - start) / CLOCKS_PER_SEC;
+    return unit_seconds() - start;
 }
 
 TEST(test_powers) {

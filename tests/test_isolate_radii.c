@@ -8,8 +8,6 @@
  */
 #include "isolate_case.h"
 
-#include <time.h>
-
 #include "algsurf/refine.h"
 #include "environments.h"
 
@@ -323,10 +321,10 @@ static const char *judge_member(const double *member, int n) {
 static double seconds_of(const double *c, const double *r, int n) {
     double best = HUGE_VAL;
     for (int i = 0; i < 3; i++) {
-        clock_t start = clock();
+        double start = unit_seconds();
         answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
                                             ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
-        best = fmin(best, (double)(clock() - start) / CLOCKS_PER_SEC);
+        best = fmin(best, unit_seconds() - start);
     }
     return best;
 }
