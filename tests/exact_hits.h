@@ -26,7 +26,11 @@ typedef struct exact_hits {
     exact_sturm roots; /* of the polynomial whose roots the places are; count 0: none is needed */
     exact_place place[EXACT_MOST_HITS];
     int infinite; /* the ray lies in the surface and has no begin: one hit at -infinity */
+    int end_sign; /* of P where the ray's part inside ends, or EXACT_NOT_KNOWN */
+    int is_short; /* that part is so short that it may be said to be none */
 } exact_hits;
+
+enum { EXACT_NOT_KNOWN = 2 };
 
 /* The sign of sum p[k] x^k. */
 static inline int exact_sign_q(mpz_t *p, int n, const mpq_t x) {
@@ -286,6 +290,68 @@ static inline void exact_first_inside(exact_hits *h, const exact_face *face, int
     exact_free(product, 2 * EXACT_MOST_FACES + 2);
 }
 
+/* Is a number on the ray, and in the extent? */
+static inline int exact_is_shown(double t, const exact_face *face, int faces, const algsurf_ray *ray) {
+    mpq_t q;
+    int inside = isfinite(t) && t >= ray->t_min && t <= ray->t_max;
+    mpq_init(q);
+    if (inside) exact_set(q, t);
+    for (int i = 0; inside && i < faces; i++)
+        inside = face[i].degree < 0 || exact_sign_q((mpz_t *)face[i].c, face[i].degree, q) >= 0;
+    mpq_clear(q);
+    return inside;
+}
+
+/* Does the ray certainly have a part inside that is longer than rounding?  It meets a smaller extent then. */
+static inline int exact_is_long(const algsurf_extent *extent, const algsurf_plane *planes, size_t plane_count,
+                                const algsurf_ray *ray, const algsurf_ray *chord) {
+    algsurf_extent inner = {.kind = ALGSURF_EXTENT_ALL};
+    algsurf_plane closer[ALGSURF_MAX_CLIP_PLANES];
+    algsurf_ray part;
+    double far = 0, reach = fmax(fabs(chord->t_min), fabs(chord->t_max)), step = 0;
+    for (int i = 0; i < 3; i++) step = fmax(step, fabs(ray->direction[i]));
+    int meets = 0, ball = extent && extent->kind == ALGSURF_EXTENT_SPHERE;
+    if (extent) inner = *extent;
+    for (int i = 0; i < 3; i++) {
+        far = fmax(far, fabs(ray->origin[i]) + fabs(inner.centre[i]));
+        if (ray->direction[i] != 0 && fabs(ray->direction[i]) < fmax(DBL_MIN, 0x1p-900 * step)) return 0;
+    }
+    for (int i = 0; inner.kind != ALGSURF_EXTENT_ALL && i < (ball ? 1 : 3); i++)
+        if (!((inner.size[i] -= ldexp(far + inner.size[i], -36)) > 0)) return 0;
+    for (size_t k = 0; k < plane_count; k++) {
+        double size = fabs(planes[k].offset);
+        for (int i = 0; i < 3; i++)
+            size += fabs(planes[k].normal[i]) * (fabs(ray->origin[i]) + reach * fabs(ray->direction[i]));
+        closer[k] = planes[k], closer[k].offset -= ldexp(size, -36);
+        if (!isfinite(closer[k].offset)) return 0;
+    }
+    return algsurf_region_clip(&inner, closer, plane_count, ray, &part, &meets) == ALGSURF_OK && meets &&
+           part.t_max - part.t_min >= fmax(ldexp(reach, -36), DBL_MIN);
+}
+
+/* The sign behind the last place; or, where there is none, at any number on the ray's part inside.  The
+ * library's chord only says where such a number may be. */
+static inline void exact_set_end_sign(exact_hits *h, mpz_t *p, int n, const exact_face *face, int faces,
+                                      const algsurf_extent *extent, const algsurf_plane *planes,
+                                      size_t plane_count, const algsurf_ray *ray) {
+    algsurf_ray chord;
+    int meets = 0;
+    h->end_sign = EXACT_NOT_KNOWN;
+    if (h->count > 0) h->end_sign = exact_sign_after(p, n, h->place + h->count - 1);
+    (void)algsurf_region_clip(extent, planes, plane_count, ray, &chord, &meets);
+    h->is_short = !meets || !exact_is_long(extent, planes, plane_count, ray, &chord);
+    double lo = fmax(chord.t_min, -DBL_MAX), hi = fmin(chord.t_max, DBL_MAX);
+    const double tried[] = {0.5 * lo + 0.5 * hi, fmax(lo, fmin(hi, 0)), lo, hi};
+    for (size_t i = 0; meets && h->end_sign == EXACT_NOT_KNOWN && i < sizeof tried / sizeof *tried; i++) {
+        mpq_t q;
+        if (!exact_is_shown(tried[i], face, faces, ray)) continue;
+        mpq_init(q);
+        exact_set(q, tried[i]);
+        h->end_sign = exact_sign_q(p, n, q);
+        mpq_clear(q);
+    }
+}
+
 /* What there is on a ray; extent may be null, and planes where there are none.  To be cleared. */
 static inline exact_hits *exact_hits_of(const algsurf_term *terms, int count, int degree,
                                         const algsurf_extent *extent, const algsurf_plane *planes,
@@ -304,6 +370,7 @@ static inline exact_hits *exact_hits_of(const algsurf_term *terms, int count, in
         exact_all_roots(&h->roots, ray->t_min, ray->t_max, h);
         exact_keep_inside(h, &h->roots, face, faces, EXACT_MOST_HITS);
         exact_multiplicities(h, line.c, n, &h->roots);
+        exact_set_end_sign(h, line.c, n, face, faces, extent, planes, plane_count, ray);
     }
     exact_line_clear(&line);
     for (int i = 0; i < faces; i++)

@@ -84,7 +84,7 @@ static inline int intersect_unit(const double n[3]) {
 static inline const char *intersect_form(const intersect_case *c, const algsurf_hit *h) {
     if (h->state == ALGSURF_MISS) {
         int empty = h->t == INFINITY && h->t_lo == INFINITY && h->t_hi == INFINITY && h->reason == ALGSURF_OK;
-        empty = empty && h->multiplicity == 0 && h->side == 0;
+        empty = empty && h->multiplicity == 0;
         for (int i = 0; i < 3; i++) empty = empty && h->position[i] == 0 && h->normal[i] == 0;
         return empty ? NULL : "a miss with numbers";
     }
@@ -214,7 +214,10 @@ static inline const char *intersect_wrong(const exact_hits *h, const intersect_a
     if (wrong) return wrong;
     if (a->first.state != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "first";
     if (a->occluded != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "occluded";
-    return h->count ? intersect_wrong_hit(h, 0, &a->first) : NULL;
+    if (h->count) return intersect_wrong_hit(h, 0, &a->first);
+    if (h->in_surface) return a->first.side == 0 ? NULL : "side of a ray in the surface";
+    if (a->first.side == 0) return h->is_short ? NULL : "a miss without side";
+    return h->end_sign == EXACT_NOT_KNOWN || a->first.side == h->end_sign ? NULL : "side of a miss";
 }
 
 static inline int intersect_same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
@@ -255,6 +258,24 @@ static inline const char *intersect_wrong_packet(const intersect_case *c, const 
     return same ? NULL : "a packet says something else";
 }
 
+/* The same calls, told to count hits of one side only. */
+static inline const char *intersect_wrong_side(const intersect_case *c, const algsurf_extent *extent,
+                                               const algsurf_intersect_options *options, int side,
+                                               const exact_hits *h) {
+    static intersect_answer a;
+    algsurf_intersect_options one = {.size = sizeof one};
+    exact_hits left = *h;
+    if (options) one = *options;
+    one.side = side;
+    left.count = 0;
+    left.infinite = 0;
+    for (int i = 0; i < h->count; i++)
+        if (h->place[i].side == side) left.place[left.count++] = h->place[i];
+    intersect_ask(c, extent, &one, &a);
+    const char *wrong = intersect_wrong(&left, &a);
+    return wrong ? wrong : intersect_wrong_packet(c, extent, &one, &a);
+}
+
 /* Everything that must be true of one ray in an extent (null: all of space); null if it is. */
 static inline const char *intersect_verdict(const intersect_case *c, const algsurf_extent *extent,
                                             const algsurf_intersect_options *options, intersect_answer *a) {
@@ -268,6 +289,8 @@ static inline const char *intersect_verdict(const intersect_case *c, const algsu
         exact_hits *h = exact_hits_of(c->terms, c->count, c->degree, extent, options ? options->planes : NULL,
                                       options ? options->plane_count : 0, &c->ray);
         wrong = intersect_wrong(h, a);
+        for (int side = -1; !wrong && side <= 1; side += 2)
+            wrong = intersect_wrong_side(c, extent, options, side, h);
         exact_hits_clear(h);
     }
     if (!wrong) wrong = intersect_form(c, &a->first);

@@ -418,6 +418,14 @@ ON_SURFACE(algsurf_intersect_all) {
     WRITTEN(count), written(hits, (size_t)count * sizeof *hits);
 }
 
+ON_SURFACE(algsurf_hit_leave) {
+    algsurf_ray ray = ray_made();
+    algsurf_hit hit = {.state = ALGSURF_HIT, .position = {1, 2, 3}, .normal = {0, 0, 1}};
+    double start[3] = {0, 0, 0};
+    STATUS_IN_HOST(algsurf_hit_leave(surface, &ray, &hit, 1, start));
+    WRITTEN(start);
+}
+
 ON_SURFACE(algsurf_occluded) {
     algsurf_extent extent = extent_made(ALGSURF_EXTENT_SPHERE);
     algsurf_ray ray = ray_made();

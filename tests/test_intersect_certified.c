@@ -113,10 +113,11 @@ TEST(roots_of_all_sizes) {
         const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, cases[i].lo, cases[i].hi};
         static const algsurf_i_region everywhere = {NULL, NULL, 0};
         algsurf_i_ray_root roots[6];
-        int n = 0;
+        int n = 0, side;
         intersect_equation(&c, cases[i].equation);
-        assert_ok(algsurf_i_exact_roots(c.surface, &everywhere, &ray, ALGSURF_WANT_ALL,
-                                        ALGSURF_DEFAULT_MEMORY, NULL, roots, &n));
+        assert_ok(algsurf_i_exact_roots(
+            c.surface, &everywhere, &ray,
+            &(algsurf_i_wanted){ALGSURF_WANT_ALL, .limit = ALGSURF_DEFAULT_MEMORY}, roots, &n, &side));
         int as_told = n == cases[i].count;
         for (int k = 0; as_told && k < n; k++)
             as_told = roots[k].multiplicity == 1 && roots[k].t == cases[i].root[k] &&

@@ -334,10 +334,11 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     algsurf_i_ray_root found[8];
     static const algsurf_i_region everywhere = {NULL, NULL, 0};
     algsurf_ray ray = beside;
-    int next = 0, n = 0;
+    int next = 0, n = 0, side;
     ray.t_min = lo, ray.t_max = hi;
-    assert_ok(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY,
-                                    NULL, found, &n));
+    assert_ok(algsurf_i_exact_roots(surface, &everywhere, &ray,
+                                    &(algsurf_i_wanted){ALGSURF_WANT_ALL, .limit = ALGSURF_DEFAULT_MEMORY},
+                                    found, &n, &side));
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {
         if (!hair_between(roots[i], lo, hi)) continue;

@@ -85,11 +85,11 @@ static _Noreturn void packet_fail(const char *what, const packet_case *c, int i,
     algsurf_ray ray = ray_at(c, i);
     exact_print_doubles("origin", ray.origin, 3), exact_print_doubles("direction", ray.direction, 3);
     fprintf(stderr, "t in [%a, %a]\n", ray.t_min, ray.t_max);
-    fprintf(stderr, "packet: state %d at %a in [%a, %a], occluded %d\n", c->state[i], c->t[i], c->t_lo[i],
-            c->t_hi[i], c->occluded[i]);
+    fprintf(stderr, "packet: state %d side %d at %a in [%a, %a], occluded %d\n", c->state[i], c->side[i],
+            c->t[i], c->t_lo[i], c->t_hi[i], c->occluded[i]);
     if (single)
-        fprintf(stderr, "single: state %d at %a in [%a, %a]\n", single->state, single->t, single->t_lo,
-                single->t_hi);
+        fprintf(stderr, "single: state %d side %d at %a in [%a, %a]\n", single->state, single->side,
+                single->t, single->t_lo, single->t_hi);
     fail_msg("seed %u: %s: ray %d", SEED, what, i);
     abort();
 }
@@ -144,8 +144,9 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_ok(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY, NULL,
-                                    &root, &count));
+    assert_ok(algsurf_i_exact_roots(surface, &region, ray,
+                                    &(algsurf_i_wanted){ALGSURF_WANT_FIRST, .limit = ALGSURF_DEFAULT_MEMORY},
+                                    &root, &count, &hit.side));
     if (count == 0) return hit;
     hit = (algsurf_hit){.state = ALGSURF_HIT,
                         .multiplicity = root.multiplicity,

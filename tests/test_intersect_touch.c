@@ -148,10 +148,11 @@ TEST(test_backwards) {
     const double ends[][2] = {{2.5, 5}, {3, 5.5}, {2.7, 5.1}, {3, 5}};
     const algsurf_i_region region = {&e.extent, NULL, 0};
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
-        int count = 0;
+        int count = 0, side;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
-        assert_ok(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, ALGSURF_WANT_ALL,
-                                        ALGSURF_DEFAULT_MEMORY, NULL, root, &count));
+        assert_ok(algsurf_i_exact_roots(
+            e.c.surface, &region, &e.c.ray,
+            &(algsurf_i_wanted){ALGSURF_WANT_ALL, .limit = ALGSURF_DEFAULT_MEMORY}, root, &count, &side));
         int first = ends[i][0] <= 3 ? 0 : 1, last = ends[i][1] >= 5;
         assert_int_equal(count, last - first + 1);
         for (int k = first; k <= last; k++) {

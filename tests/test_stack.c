@@ -195,6 +195,14 @@ static void one_occluded(const algsurf_surface *s, const algsurf_extent *e, cons
 }
 STACK_OF(algsurf_occluded, 42, RENDERER) { for_rays(one_occluded); }
 
+static void one_leave(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                      const algsurf_intersect_options *o) {
+    const algsurf_hit hit = {.state = ALGSURF_HIT, .normal = {1, 0, 0}};
+    double start[3];
+    (void)algsurf_hit_leave(s, r, &hit, e && o->tier ? 1 : -1, start);
+}
+STACK_OF(algsurf_hit_leave, 8, RENDERER) { for_rays(one_leave); }
+
 static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                         const algsurf_intersect_options *o) {
     algsurf_complex_space space = {sizeof space, {0, o->tier ? 0.3 : 1e-10}, {o->method ? 0.5 : 0}};

@@ -48,8 +48,11 @@ typedef struct algsurf_hit {
     int reason;       /* an algsurf_status: ALGSURF_OK, or why it is undecided (a positive status) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
-    int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
-    double t;         /* approximate, along the ray as given; undecided: a point of that place */
+    int side; /* of a hit: the sign of P on the ray just before it, -1 or 1; 0 with multiplicity 0.  Of a
+                 miss: the sign of P on the ray's part in the extent, behind the last hit that the option
+                 `side` passed by; 0 if there is no such part, or rounding hides it.  0 if undecided, and
+                 in complex space */
+    double t; /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
                            interval is as a rule some 100 units in the last place wide (the effect of
@@ -81,6 +84,10 @@ typedef struct algsurf_intersect_options {
     const algsurf_plane *planes; /* what is shown is the part of the extent that all of these keep; null: all
                                     of it.  The guarantees stay the same, and a point on a plane is kept */
     size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */
+    int side; /* -1, 1: only hits before which P has this sign count, others are passed through; 0: all do.  A
+                 ray that starts at a hit's position, which rounding puts on either side of the surface or on
+                 it, meets what is next on the side it leaves to: no epsilon is needed.  A ray that lies in
+                 the surface has no such hit.  In pictures: E_ARGUMENT */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
@@ -135,6 +142,18 @@ ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, cons
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             int *state);
 
+/* A point beside a hit at which P has a given sign, so that a ray that starts there does not meet the hit
+ * again.  For programs that intersect other things with the same ray; between calls of this library the
+ * option `side` does the same without it. ray, hit  as given to algsurf_intersect_first, and as it returned
+ * them side      -1 or 1: hit->side is the side that the ray comes from, -hit->side, as a rule, the one it
+ * goes to start     the point: from the position along the normal, or, where that is 0, along the ray, 2^-53
+ * to 2^-20 times the size of the position or, if that is less, of the surface away Guarantee: the sign of P
+ * at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such point so near, as beyond a
+ * double root: start is untouched then. Errors: E_ARGUMENT (null, side, a hit whose state is not ALGSURF_HIT,
+ * bad ray), E_NOT_FINITE.  Cost: as a rule that of two to ten calls of algsurf_surface_value.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_hit_leave(const algsurf_surface *surface, const algsurf_ray *ray,
+                                             const algsurf_hit *hit, int side, double start[3]);
+
 /* Rays side by side, as structure of arrays: ray i is origin[0..2][i] + t direction[0..2][i],
  * t_min[i] <= t <= t_max[i], with directions of any length. */
 typedef struct algsurf_ray_packet {
@@ -166,10 +185,10 @@ typedef struct algsurf_hit_packet {
  * E_ARGUMENT (null, a wrong size): nothing is written.  E_NO_MEMORY: the rays that could not be decided for
  * want of memory are UNDECIDED, [t_lo, t_hi] the whole ray; all others are answered.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
- * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One without
- * an end is searched as far as the surface may reach, and no slower than in an extent that holds that.
- * Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's method;
- * all for several rays at once.  50 KiB of stack.  Since 1.0. */
+ * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
+ * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
+ * that. Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's
+ * method; all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
                                                     const algsurf_extent *extent,
                                                     const algsurf_ray_packet *rays,

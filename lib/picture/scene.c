@@ -149,7 +149,8 @@ static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersec
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
-    if (status == ALGSURF_OK && (o.observer || o.planes || o.plane_count)) status = ALGSURF_E_ARGUMENT;
+    if (status == ALGSURF_OK && (o.observer || o.side || o.planes || o.plane_count))
+        status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     o.planes = scene->intersect.planes;
     o.plane_count = scene->intersect.plane_count;

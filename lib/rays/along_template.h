@@ -14,10 +14,12 @@
  *
  * Error of the ends.  The computed chord is within `off` of the exact one, t_c - h and t_c + h within
  * u (|t_c| + h) of the computed one.  The sum goes to packet.blur: where p keeps its sign that far about both
- * ends, both chords have the same roots. */
+ * ends, both chords have the same roots.  Where it grows all along, on the wanted side of the surface, roots
+ * there do not count (first_walk_template.h, Sides). */
 #ifndef ALGSURF_RAYS_ALONG_TEMPLATE_H
 #define ALGSURF_RAYS_ALONG_TEMPLATE_H
 #include "packets.h"
+#define SIDED 1
 #if LANES > 4
 #define MOST_DEGREE ALGSURF_MAX_WIDE_DEGREE
 #endif
@@ -76,6 +78,27 @@ INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e,
     return (1 + 0x1p-9) * n * k->blur * slope;
 }
 
+/* Where a side is wanted: of `which` lanes, of which p's sign where the chord begins is not known, those that
+ * grow on that side within blur of there: p' > 0 follows as in change_at_end.  The first coefficient is moved
+ * to 0 if it is below, and its radius grows by that; so the control polygon has no dip before the second one,
+ * which is surely above 0. */
+APART void loosen(packet *k, mask which, int n, int own) {
+    cell *c = &k->at;
+    const words turn = (words)all_lanes(k->wanted < 0 ? -0.0 : 0.0);
+    const lanes e = radius_of(k->e, 1, own), second = (lanes)((words)k->b[1] ^ turn);
+    const lanes grown = (lanes)((words)(k->b[1] - k->b[0]) ^ turn);
+    const lanes unknown = k->e[0] + e + 4 * n * k->blur * k->largest;
+    k->loose = which & less((1 + 0x1p-9) * unknown, grown) & less(e, second);
+    const words flip = (words)choose(k->loose, (lanes)(c->side ^ turn), all_lanes(0));
+    c->side ^= flip;
+    for (int j = 0; j <= n; j++) c->w[j] = (lanes)((words)c->w[j] ^ flip);
+    const lanes below = choose(k->loose, larger(-c->w[0], all_lanes(0)), all_lanes(0));
+    c->w[0] = choose(k->loose, larger(c->w[0], all_lanes(0)), c->w[0]);
+    c->e[0] += (1 + 0x1p-50) * below;
+    k->s = count_signs(c->w, c->e, n, own);
+    k->s.one &= ~k->loose;
+}
+
 /* The first roots of open lanes; for `any` a change of sign from end to end is enough.  Undecided are those
  * whose sign at an end of the chord is not known. */
 INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int own) {
@@ -87,10 +110,14 @@ INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int ow
     lanes near = e[0], far = radius_of(e, n, own);
     near += change_at_end(k, n, b[0], b[1], e[0], radius_of(e, 1, own));
     far += change_at_end(k, n, b[n], b[n - 1], far, radius_of(e, n - 1, own));
-    leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
+    mask known = less(near, absolute(b[0]));
+    k->wanted = job->side;
+    k->loose = no_lane();
+    if (k->wanted && any(k->open & ~known)) loosen(k, k->open & ~known, n, own);
+    leave_undecided(k, ~((known | k->loose) & less(far, absolute(b[n]))));
     k->open &= ~k->s.none;
     if (job->any) {
-        k->hit = k->open & negative((words)c->w[n]);
+        k->hit = k->open & negative((words)c->w[n]) & ~off_side(k);
         k->open &= ~k->hit;
     }
     if (!any(k->open)) return;
@@ -118,6 +145,7 @@ APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, p
     again.blur = k->blur;
     decide_from_powers(job, line, &again, n);
     k->undecided = (k->undecided & ~which) | again.undecided;
+    k->b[n] = choose(which, again.b[n], k->b[n]);
     close(k, n, again.hit, &again.at);
 }
 

@@ -197,11 +197,12 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
 static int count_inside(const complex_query *q, const algsurf_i_region *region, algsurf_interval t) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     algsurf_ray part = q->front;
-    int count = 0;
+    int count = 0, side;
     part.t_min = t.lo, part.t_max = t.hi;
     if (!algsurf_i_has_points(t.lo, t.hi)) return 0;
-    algsurf_status status = algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL,
-                                                  ALGSURF_DEFAULT_MEMORY, NULL, roots, &count);
+    algsurf_status status = algsurf_i_exact_roots(
+        q->surface, region, &part, &(algsurf_i_wanted){ALGSURF_WANT_ALL, .limit = ALGSURF_DEFAULT_MEMORY},
+        roots, &count, &side);
     return status == ALGSURF_OK ? count : -1;
 }
 
@@ -318,7 +319,7 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     q.front.t_min = fmax(ray->t_min, 0);
     q.ray = q.front;
     *iterations = 0;
-    algsurf_i_set_miss(hit);
+    algsurf_i_set_miss(hit, 0);
     if (root) *root = (algsurf_complex){NAN, NAN};
     give_roots(&q, NULL, 0, roots);
     if (!algsurf_i_has_points(q.front.t_min, q.front.t_max) ||

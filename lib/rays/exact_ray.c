@@ -33,11 +33,11 @@ typedef struct query {
     const algsurf_i_region *region;
     const algsurf_ray *ray;
     algsurf_i_chord chord;
+    const algsurf_i_wanted *wanted;
     int unit, scale; /* p(u) = 2^scale P */
-    algsurf_observer *observer;
     algsurf_memory memory;
     algsurf_i_ray_root *roots;
-    int count;
+    int count, miss_side;
 } query;
 
 /* The unit 2^unit of t that suits the chord; of one without ends, about the way from the origin to the
@@ -60,9 +60,27 @@ static int begin_walk(query *q, algsurf_exact_walk *walk, const algsurf_zpoly *p
     return algsurf_exact_begin(walk, &q->memory, p, q->unit, q->chord.lo, q->chord.hi, refined, watch);
 }
 
-static void add_root(query *q, const algsurf_exact_root *root) {
-    q->roots[q->count++] =
-        (algsurf_i_ray_root){root->multiplicity, root->sign_before, root->t, root->lo, root->hi, ALGSURF_OK};
+/* A root, unless it is of the wrong side. */
+static void add_root(query *q, const algsurf_i_ray_root *root) {
+    int counts = !q->wanted->side || root->reason != ALGSURF_OK || root->side == q->wanted->side;
+    if (counts)
+        q->roots[q->count++] = *root;
+    else
+        q->miss_side = root->multiplicity % 2 ? -root->side : root->side;
+}
+
+static void add_exact(query *q, const algsurf_exact_root *root) {
+    const algsurf_i_ray_root plain = {root->multiplicity, root->sign_before, root->t,
+                                      root->lo,           root->hi,          ALGSURF_OK};
+    add_root(q, &plain);
+}
+
+/* If no root has been passed by: the sign of p at the last place of the ray that is surely in the region. */
+static int set_miss_side(query *q, const algsurf_zpoly *p) {
+    const algsurf_i_chord *c = &q->chord;
+    double at = fmin(c->hi, c->inner_hi);
+    if (q->count > 0 || q->miss_side || at < fmax(c->lo, c->inner_lo)) return 1;
+    return algsurf_exact_at_double(&q->memory, p, q->unit, at, &q->miss_side, NULL, NULL);
 }
 
 /* Is no face but number `except` negative at the walk's last root?  Returns 0 when there is no memory. */
@@ -87,21 +105,21 @@ static int surely_inside(const query *q, double lo, double hi) {
 }
 
 /* The roots of p that are inside. */
-static algsurf_status walk_chord(query *q, const algsurf_zpoly *p, algsurf_i_want want) {
+static algsurf_status walk_chord(query *q, const algsurf_zpoly *p) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
-    const algsurf_i_watch watch = {.observer = q->observer, .exponent = -q->scale};
+    const algsurf_i_watch watch = {.observer = q->wanted->observer, .exponent = -q->scale};
     int found, inside;
-    if (!begin_walk(q, &walk, p, want != ALGSURF_WANT_ANY, q->observer ? &watch : NULL))
+    if (!begin_walk(q, &walk, p, q->wanted->want != ALGSURF_WANT_ANY, q->wanted->observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     while ((found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT) {
         inside = 1;
         if (!surely_inside(q, root.lo, root.hi) && !is_inside(q, &walk, &root, -1, &inside))
             return ALGSURF_E_NO_MEMORY;
-        if (inside) add_root(q, &root);
-        if (inside && want != ALGSURF_WANT_ALL) break;
+        if (inside) add_exact(q, &root);
+        if (q->count > 0 && q->wanted->want != ALGSURF_WANT_ALL) break;
     }
-    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
+    return found == ALGSURF_EXACT_NO_MEMORY || !set_miss_side(q, p) ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
 /* ---- a ray in the surface: its first t that counts ---- */
@@ -150,7 +168,7 @@ static algsurf_status ray_in_surface(query *q) {
             if (!first_entry(q, face, i, &best, &any)) return ALGSURF_E_NO_MEMORY;
     }
     best.multiplicity = best.sign_before = 0;
-    if (any) add_root(q, &best);
+    if (any) add_exact(q, &best);
     return ALGSURF_OK;
 }
 
@@ -209,15 +227,19 @@ static algsurf_i_ray_root place_of(const query *q, const algsurf_exact_range *ra
 }
 
 static algsurf_status isolate(query *q, algsurf_term *spread) {
-    const algsurf_i_watch watch = {.observer = q->observer};
+    const algsurf_i_watch watch = {.observer = q->wanted->observer};
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
+    int found;
     if (!make_forms(q, spread, &p, &radius) ||
         !algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
-                                     ALGSURF_MAX_DEGREE, &q->count, q->observer ? &watch : NULL))
+                                     ALGSURF_MAX_DEGREE, &found, q->wanted->observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
-    for (int i = 0; i < q->count; i++) q->roots[i] = place_of(q, range + i);
-    return ALGSURF_OK;
+    for (int i = 0; i < found; i++) {
+        const algsurf_i_ray_root place = place_of(q, range + i);
+        add_root(q, &place);
+    }
+    return set_miss_side(q, &p) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
@@ -230,7 +252,7 @@ static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
 
 /* ---- both ---- */
 
-static algsurf_status decide(query *q, algsurf_i_want want) {
+static algsurf_status decide(query *q) {
     algsurf_zpoly p;
     const double *o = q->ray->origin, *d = q->ray->direction;
     if (!algsurf_i_region_chord(q->region, q->ray, &q->chord)) return ALGSURF_OK;
@@ -238,18 +260,21 @@ static algsurf_status decide(query *q, algsurf_i_want want) {
     if (q->surface->error > 0) return find_places(q);
     if (!algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale))
         return ALGSURF_E_NO_MEMORY;
-    return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
+    if (p.degree < 0) return ray_in_surface(q);
+    if (p.degree > 0) return walk_chord(q, &p);
+    return set_miss_side(q, &p) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
-                                     const algsurf_ray *ray, algsurf_i_want want, size_t limit,
-                                     algsurf_observer *observer, algsurf_i_ray_root *roots, int *count) {
+                                     const algsurf_ray *ray, const algsurf_i_wanted *wanted,
+                                     algsurf_i_ray_root *roots, int *count, int *miss_side) {
     algsurf_limb block[STACK_WORDS];
-    query q = {.surface = surface, .region = region, .ray = ray, .observer = observer, .roots = roots};
-    algsurf_memory_begin(&q.memory, block, STACK_WORDS, limit);
+    query q = {.surface = surface, .region = region, .ray = ray, .wanted = wanted, .roots = roots};
+    algsurf_memory_begin(&q.memory, block, STACK_WORDS, wanted->limit);
     algsurf_memory_mark begin = algsurf_memory_here(&q.memory);
-    algsurf_status status = decide(&q, want);
+    algsurf_status status = decide(&q);
     algsurf_memory_release(&q.memory, begin);
     *count = q.count;
+    *miss_side = q.miss_side;
     return status;
 }

@@ -16,15 +16,25 @@ typedef struct algsurf_i_ray_root {
 
 typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT_ANY } algsurf_i_want;
 
+/* Which roots are wanted, and how they are found. */
+typedef struct algsurf_i_wanted {
+    algsurf_i_want want;
+    int side;                   /* the sign of P before them; 0: any */
+    size_t limit;               /* bytes that may be allocated */
+    algsurf_observer *observer; /* null, or who is told */
+} algsurf_i_wanted;
+
 /* Roots of P along a checked ray in [t_min, t_max] and in the region, both as they are given, in increasing
- * order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is known.  There are no
+ * order: the first (FIRST), all, or, for ANY, one of which only that it exists is known.  There are no
  * more than the surface's degree, or 1.  A ray in the surface has one root, of multiplicity 0, at the first t
  * that counts.  A root beyond the largest double has an infinite t_lo or t_hi.  Of coefficients with an error
  * all roots and places are given, whatever is wanted; a root is one simple root of each polynomial of the
- * set. limit  bytes that may be allocated observer  null, or who is told Returns OK or E_NO_MEMORY.  Stack:
- * 20 KiB, of which 16 serve as memory before anything is allocated. */
+ * set.
+ *   miss_side  if there are none: the sign of P where the ray's part in the region ends; 0 if there is no
+ * such part, if rounding hides it, or if P is 0 on it Returns OK or E_NO_MEMORY.  Stack: 20 KiB, of which 16
+ * serve as memory before anything is allocated. */
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
-                                     const algsurf_ray *ray, algsurf_i_want want, size_t limit,
-                                     algsurf_observer *observer, algsurf_i_ray_root *roots, int *count);
+                                     const algsurf_ray *ray, const algsurf_i_wanted *wanted,
+                                     algsurf_i_ray_root *roots, int *count, int *miss_side);
 
 #endif

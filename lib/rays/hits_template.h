@@ -7,7 +7,7 @@
 #include "nodes_template.h"
 
 #define ROOT_ERROR 0x1p-44        /* in chords: the step on P itself is to be the last one */
-#define MOST_STEPS 3              /* before the last one */
+#define MOST_STEPS 3              /* before the last one; 32, more than there can be, where t cancels */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
 /* What becomes of the lanes' hits, with the caller's t. */
@@ -23,32 +23,39 @@ INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slo
     return (8 * s->degree + 16) * 0x1p-53 * surface_magnitude(s, reach) / absolute(slope);
 }
 
-/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more
- * than `far` from their root, and more than rounding explains, go there first. */
-INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes t,
+/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points go there first
+ * that are more than `far` from their root; and those of which t cancels, being next to 0, so that rounding
+ * of the step is more than that of t; both by more than rounding of P explains. */
+INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes *t,
                        lanes *low, lanes x[PAIR][3], lanes gradient[3], const algsurf_i_watch *watch) {
     for (int round = 0;; round++) {
-        for (int i = 0; i < 3; i++) x[0][i] = along(r->origin[i], *low * r->direction[i], t, r->direction[i]);
+        for (int i = 0; i < 3; i++)
+            x[0][i] = along(r->origin[i], *low * r->direction[i], *t, r->direction[i]);
         jets p = surface_jets(s, x, 1);
         if (watch && bits(which) & 1)
-            algsurf_i_tell_point(watch, (t[0] + (*low)[0]) * r->t_unit[0], p.v[0][0], 0,
+            algsurf_i_tell_point(watch, ((*t)[0] + (*low)[0]) * r->t_unit[0], p.v[0][0], 0,
                                  ALGSURF_ENGINE_DOUBLES);
         gradient[0] = p.x[0], gradient[1] = p.y[0], gradient[2] = p.z[0];
         lanes slope = dot(gradient, r->direction), step = -p.v[0] / slope;
         mask again = which & ~at_most(absolute(step), *far);
-        if (!any(again)) return step;
-        *far = choose(again, larger(*far, noise_of_step(s, x[0], slope)), *far);
-        again &= ~at_most(absolute(step), *far);
-        if (round == MOST_STEPS || !any(again)) return step;
+        mask cancels = which & ~again & less(4 * absolute(*t + (*low + step)), absolute(step));
+        if (!any(again | cancels)) return step;
+        lanes noise = noise_of_step(s, x[0], slope), sum;
+        *far = choose(again, larger(*far, noise), *far);
+        again = round < MOST_STEPS ? again & ~at_most(absolute(step), *far) : no_lane();
+        again |= cancels & ~at_most(absolute(step), noise);
+        if (round == 32 || !any(again)) return step;
         *low = choose(again, *low + step, *low); /* the others will compute the same numbers again */
+        sum = exact_sum(*t, *low, low);
+        *t = sum;
     }
 }
 
 /* The same, for whoever watches: apart from what nobody watches, which then keeps its registers. */
 APART void tell_last_step(const algsurf_surface *s, const ray_lanes *r, const packet *k,
                           const lanes far_t_low[3]) {
-    lanes x[PAIR][3], gradient[3], far = far_t_low[0], low = far_t_low[2];
-    (void)last_step(s, r, k->hit, &far, far_t_low[1], &low, x, gradient, k->watch);
+    lanes x[PAIR][3], gradient[3], far = far_t_low[0], t = far_t_low[1], low = far_t_low[2];
+    (void)last_step(s, r, k->hit, &far, &t, &low, x, gradient, k->watch);
 }
 
 /* [t_lo,t_hi] around t, narrower than the bracket where the signs of P itself show it.
@@ -122,7 +129,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
         const lanes begin[3] = {far, t, low};
         tell_last_step(job->surface, r, k, begin);
     }
-    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient, NULL);
+    lanes step = last_step(job->surface, r, k->hit, &far, &t, &low, x, gradient, NULL);
     lanes pad = 0x1p-50 * (absolute(middle) + half);
     hit->t_lo =
         choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));

@@ -16,8 +16,9 @@
 #include "expand_impl.h"
 #include "../base/vec.h"
 
-void algsurf_i_set_miss(algsurf_hit *hit) {
-    *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
+void algsurf_i_set_miss(algsurf_hit *hit, int side) {
+    *hit =
+        (algsurf_hit){.state = ALGSURF_MISS, .side = side, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
 /* The point of a hit. */
@@ -110,12 +111,14 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, algsur
 }
 
 /* What lanes leave undecided, in integers: at most ALGSURF_MAX_DEGREE hits, or one for want FIRST.  Places
- * that are undecided only coefficients with an error have: there FIRST is among all. */
+ * that are undecided only coefficients with an error have: there FIRST is among all.  If there are none,
+ * hits->side is that of the miss. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
-    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, want, q->memory_limit,
-                                                  q->options.observer, roots, count);
+    const algsurf_i_wanted wanted = {want, q->options.side, q->memory_limit, q->options.observer};
+    algsurf_status status =
+        algsurf_i_exact_roots(q->surface, &q->region, ray, &wanted, roots, count, &hits->side);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
         if (roots[i].reason == ALGSURF_OK)
             make_hit(q, ray, roots + i, hits + i);
@@ -129,12 +132,13 @@ static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray
                           int *count) {
     algsurf_i_chord chord;
     *count = algsurf_i_region_chord(region, ray, &chord);
+    hit->side = 0;
     if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hit);
 }
 
 /* What becomes of undecided places is the caller's choice. */
 static void settle_undecided(int as, algsurf_hit *hits, int *count) {
-    int kept = 0;
+    int kept = 0, side = *count ? 0 : hits->side;
     for (int i = 0; i < *count; i++) {
         int undecided = hits[i].state == ALGSURF_UNDECIDED;
         if (undecided && as == ALGSURF_AS_MISS) continue;
@@ -142,6 +146,7 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
         if (undecided && as == ALGSURF_AS_HIT) hits[kept].state = ALGSURF_HIT;
         kept++;
     }
+    if (!kept) hits->side = side;
     *count = kept;
 }
 
@@ -158,7 +163,8 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
     return ALGSURF_OK;
 }
 
-/* The hits of a checked ray, at most ALGSURF_MAX_DEGREE; tried: lanes have left it undecided. */
+/* The hits of a checked ray, at most ALGSURF_MAX_DEGREE; tried: lanes have left it undecided.  If there are
+ * none, hits->side is that of the miss. */
 static algsurf_status find(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want, int tried,
                            algsurf_hit *hits, int *count, uint64_t *exact) {
     *count = tried ? -1 : hits_in_lane(q, ray, want, hits);
@@ -173,10 +179,8 @@ algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *
     int count;
     algsurf_status status = find(q, ray, ALGSURF_WANT_FIRST, tried, found, &count, exact);
     if (status != ALGSURF_OK) return status;
-    if (count)
-        *hit = found[0];
-    else
-        algsurf_i_set_miss(hit);
+    if (!count) algsurf_i_set_miss(found, found->side);
+    *hit = found[0];
     return ALGSURF_OK;
 }
 

@@ -40,8 +40,8 @@ algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *s
 
 /* What follows is in the standard floating-point environment. */
 
-/* No point of the surface on the ray. */
-void algsurf_i_set_miss(algsurf_hit *hit);
+/* No point of the surface on the ray; side: the sign of P there, or 0. */
+void algsurf_i_set_miss(algsurf_hit *hit, int side);
 
 /* The unit normal at a point of the ray, in the caller's units, that is `off` from its root at most, beside
  * rounding of its coordinates; limit: bytes that may be allocated. */

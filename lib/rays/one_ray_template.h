@@ -20,7 +20,7 @@ typedef struct single_ray {
     packet k;
     double length, newton; /* of the bracket that the caller's method refines, and the step from its point */
     algsurf_i_watch watch; /* where k says so */
-    int from_powers;
+    int from_powers, opened;
 } single_ray;
 
 /* x in the bracket's [0,1] as v in the packet's. */
@@ -119,7 +119,8 @@ static int first_bracket(single_ray *s) {
     s->from_powers = own;
     mask opened = search(s->job, &s->ray, &s->watch, &s->line, &s->k, n), which = opened & s->ends.far;
     if (s->job->any) which &= ~s->k.hit;
-    if (!any(opened)) return 0;
+    s->opened = any(opened);
+    if (!s->opened) return 0;
     if (any(which)) look_about(s->job->surface, &s->line, &s->k, which, n, own, &s->ends);
     mask before = lanes_before(&s->ray, &s->ends, which);
     return any(before) && next_piece(s, before, no_lane());
@@ -164,7 +165,10 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
         }
         if (any(s.k.undecided)) return -1;
         mask behind = lanes_behind(&s.ray, &s.ends, s.ends.far & s.ray.open);
-        if (!any(behind)) return count;
+        if (!any(behind)) {
+            if (!count) hits->side = s.opened ? s.k.b[job->surface->node_degree][0] < 0 ? -1 : 1 : 0;
+            return count;
+        }
         if (!next_piece(&s, no_lane(), behind)) return -1;
     }
 }

@@ -17,10 +17,12 @@ INLINE void store_lanes(double *array, lanes a, const places *w, unsigned which)
     }
 }
 
-/* What is found of the lanes `which`. */
-INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_hit_packet *to, const places *w,
-                        unsigned which, int any) {
-    const unsigned found = bits(k->hit), undecided = bits(k->undecided);
+/* What is found of the lanes `which`.  The last coefficient has P's sign at the end of a chord that was
+ * opened.
+ */
+INLINE void store_found(const packet *k, mask opened, const lanes_hit *hit, const algsurf_hit_packet *to,
+                        const places *w, unsigned which, int n, int any) {
+    const unsigned found = bits(k->hit), undecided = bits(k->undecided), searched = bits(opened);
     const lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
     unsigned char *const state = to->state;
     for (int l = 0; l < LANES; l++)
@@ -28,10 +30,11 @@ INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_hit
             state[w->ray[l]] = (unsigned char)(ALGSURF_LANE_HIT * (found >> l & 1) +
                                                ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
     if (any) return;
-    const unsigned below = bits(negative(k->at.side) & k->hit);
+    const unsigned below =
+        bits(((negative(k->at.side) & k->hit) | (negative((words)k->b[n]) & ~k->hit)) & opened);
     for (int l = 0; to->side && l < LANES; l++)
         if (which >> l & 1)
-            to->side[w->ray[l]] = (signed char)((int)(found >> l & 1) - 2 * (int)(below >> l & 1));
+            to->side[w->ray[l]] = (signed char)((int)(searched >> l & 1) - 2 * (int)(below >> l & 1));
     for (int l = 0; to->multiplicity && l < LANES; l++)
         if (which >> l & 1) to->multiplicity[w->ray[l]] = found >> l & 1;
     store_lanes(to->t, choose(k->hit, hit->t, none), w, which);
@@ -58,7 +61,7 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
         find_hits(job, r, line.t_c, line.h, 2 * v - 1, hits->t_lo || hits->t_hi,
                   hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
     }
-    store_found(&k, &hit, hits, w, bits(given & ~going), job->any);
+    store_found(&k, opened, &hit, hits, w, bits(given & ~going), n, job->any);
     return going;
 }
 

@@ -19,6 +19,7 @@ typedef struct algsurf_i_rays_job {
     int plane_count;
     const algsurf_ray_packet *rays;
     int any;                    /* 1: whether there is a root, not where: only states are written */
+    int side;                   /* the sign of P before roots that count, 0: all count */
     algsurf_observer *observer; /* of a single ray, or null */
 } algsurf_i_rays_job;
 
@@ -36,8 +37,9 @@ ALGSURF_KERNEL_TABLES(rays);
 /* The code for the job's one ray: packets of two, of which one lane is idle. */
 typedef struct algsurf_i_ray_kernel {
     /* The first hits, at most `most` >= 1, in order, by the caller's method (null: the first of them has the
-     * bits of the packets); for `any` 1 where there is one, of which only the state is set; -1: undecided.
-     * hits has room for the surface's degree, or `most`. */
+     * bits of the packets); for `any` 1 where there is one, of which only the state is set; 0: there is
+     * none, and hits->side is that of the miss; -1: undecided.  hits has room for the surface's degree, or
+     * `most`. */
     int (*all)(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most, algsurf_hit *hits);
 } algsurf_i_ray_kernel;
 

@@ -17,6 +17,7 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
     if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
         return ALGSURF_E_ARGUMENT;
+    if (options->side < -1 || options->side > 1) return ALGSURF_E_ARGUMENT;
     const algsurf_refine_options how = algsurf_i_refinement_of(options);
     if (!algsurf_i_refine_is_good(&how)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
@@ -60,6 +61,7 @@ static void prepare(algsurf_i_query *q, const algsurf_surface *surface, const al
                                   .extent = algsurf_i_without_own_ball(surface, extent, &q->wider),
                                   .planes = q->planes,
                                   .plane_count = (int)options->plane_count,
+                                  .side = options->side,
                                   .observer = options->observer};
     q->fits_lanes = surface->tables && surface->unit >= -800 && surface->unit <= 800 &&
                     extent_fits(q->job.extent, surface->unit) && scale_planes(q);

@@ -3,7 +3,15 @@
  *
  * Only the part [start,stop] of [0,1] is searched, its ends known up to `blur`.  A lane whose cell is
  * exhausted goes on with its polynomial cut at the place it has reached.  A lane that would need a sign that
- * is not known leaves as undecided, and so does one that does not come to an end. */
+ * is not known leaves as undecided, and so does one that does not come to an end.
+ *
+ * Sides.  Where the includer defines SIDED as 1 and asks for a side, only roots before which p has that sign
+ * are looked for: others are passed by like empty cells.  Then the sign where the search begins need not be
+ * known, if p surely grows on the wanted side there (packet.loose; who sets it proves that): what root is
+ * there has the other sign before it.  Such a cell counts as if it began with the wanted sign.  Has it no
+ * variation of signs otherwise, it has at most one root, which comes from the other sign: none that counts.
+ * One variation proves nothing, as there may be two or none in truth.  A split whose left part has none ends
+ * this: the right part begins with the wanted sign, which is known there. */
 #ifndef ALGSURF_FIRST_WALK_TEMPLATE_H
 #define ALGSURF_FIRST_WALK_TEMPLATE_H
 #include "../simd/degrees.h"
@@ -11,6 +19,9 @@
 
 #ifndef KNOWN_DEGREES /* code for known degrees where each coefficient has its radius: see degrees.h */
 #define KNOWN_DEGREES 0
+#endif
+#ifndef SIDED
+#define SIDED 0
 #endif
 #define SHORT_STEP 0x1p-14 /* of an iteration: longer ones do not tell what is missing */
 
@@ -24,6 +35,8 @@ typedef struct packet {
     lanes cut_error;              /* 8 n u max|b| */
     mask open;                    /* lanes still to be solved */
     mask hit, undecided;          /* lanes solved: the others have no root */
+    int wanted;                   /* SIDED: the sign of p before roots that count; 0: all count */
+    mask loose;                   /* SIDED: the sign where the cell begins is not known */
     cell at;                      /* of a hit: the bracket */
     signs s;                      /* the cell's count */
     const algsurf_i_watch *watch; /* null; or, with two lanes, of the first one */
@@ -59,6 +72,12 @@ INLINE void bound_errors(packet *k, int n, int own) {
 /* What a polynomial can change by within `blur` of a point: |p'| <= 2 n max|b|. */
 INLINE lanes end_error(const packet *k, int n) { return all_lanes(2 * n) * k->blur * k->largest; }
 
+/* Lanes of which p has another sign than the wanted one where the cell begins, or may have it. */
+INLINE mask off_side(const packet *k) {
+    if (!SIDED || !k->wanted) return no_lane();
+    return k->loose | (k->wanted > 0 ? negative(k->at.side) : ~negative(k->at.side));
+}
+
 /* The cells [from,to] of `which` open lanes, and their count of signs. */
 INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to, const algsurf_i_watch *watch) {
     cut_cell(&k->at, k->b, k->e, n, own, k->cut_error, which, from, to);
@@ -93,10 +112,11 @@ INLINE void isolate_n(packet *k, int n, int own, const algsurf_i_watch *watch) {
     while (any(k->open)) {
         mask one = k->open & k->s.one;
         mask inside = one & at_most(k->start + k->blur, c->p) & at_most(c->q, k->stop - k->blur);
-        k->hit |= inside;
-        k->open &= ~inside;
-        mask across = one & ~inside, again = k->open & k->s.none & less(c->q, smaller(c->limit, k->stop));
-        k->open &= ~k->s.none | again;
+        const mask off = off_side(k), passed = k->s.none | (inside & off);
+        k->hit |= inside & ~off;
+        k->open &= ~inside | off;
+        mask across = one & ~inside, again = k->open & passed & less(c->q, smaller(c->limit, k->stop));
+        k->open &= ~passed | again;
         if (any(across)) {
             cut_to_ends(k, n, own, across, watch);
         } else if (any(again)) {
@@ -105,8 +125,10 @@ INLINE void isolate_n(packet *k, int n, int own, const algsurf_i_watch *watch) {
             mask stuck = at_most(c->q - c->p, all_lanes(NARROWEST));
             leave_undecided(k, turn < MOST_TURNS ? stuck : k->open);
             if (!any(k->open)) break;
-            leave_undecided(k, divide(c, n, own, k->cut_error, k->open, k->start, k->blur, k->stop, turn++,
-                                      &k->s, watch));
+            const lanes blur = SIDED ? choose(off, all_lanes(HUGE_VAL), k->blur) : k->blur; /* never counts */
+            leave_undecided(
+                k, divide(c, n, own, k->cut_error, k->open, k->start, blur, k->stop, turn++, &k->s, watch));
+            if (SIDED) k->loose &= at_most(c->p, all_lanes(0)), k->s.one &= ~k->loose;
         }
     }
 }
