@@ -217,6 +217,7 @@ static int call_count;
 CALL(algsurf_status_name) { IN_HOST((void)algsurf_status_name(ALGSURF_OK)); }
 CALL(algsurf_status_text) { IN_HOST((void)algsurf_status_text(ALGSURF_OK)); }
 CALL(algsurf_version) { IN_HOST((void)algsurf_version()); }
+CALL(algsurf_version_number) { IN_HOST((void)algsurf_version_number()); }
 CALL(algsurf_self_test) { STATUS_IN_HOST(algsurf_self_test()); }
 CALL(algsurf_kernel_name) { IN_HOST((void)algsurf_kernel_name(0)); }
 

@@ -801,6 +801,7 @@ RUN(algsurf_kernel_name, algsurf_kernel_name(0))
 RUN(algsurf_status_name, algsurf_status_name(ALGSURF_OK))
 RUN(algsurf_status_text, algsurf_status_text(ALGSURF_OK))
 RUN(algsurf_version, algsurf_version())
+RUN(algsurf_version_number, algsurf_version_number())
 STACK_OF(algsurf_self_test, 60, OTHERS) { (void)algsurf_self_test(); }
 
 #if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

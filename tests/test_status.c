@@ -66,6 +66,15 @@ TEST(test_version) {
     (void)snprintf(expected, sizeof expected, "%d.%d.%d", ALGSURF_VERSION_MAJOR, ALGSURF_VERSION_MINOR,
                    ALGSURF_VERSION_PATCH);
     assert_string_equal(algsurf_version(), expected);
+#if ALGSURF_VERSION < 10000 || ALGSURF_VERSION >= 10000 * (ALGSURF_VERSION_MAJOR + 1)
+    fail_msg("ALGSURF_VERSION is %d", ALGSURF_VERSION);
+#endif
+    int major, minor, patch, number = algsurf_version_number();
+    assert_int_equal(sscanf(algsurf_version(), "%d.%d.%d", &major, &minor, &patch), 3);
+    assert_int_equal(number, ALGSURF_VERSION);
+    assert_int_equal(number / 10000, major);
+    assert_int_equal(number / 100 % 100, minor);
+    assert_int_equal(number % 100, patch);
 }
 
 int main(void) { return unit_run("status"); }

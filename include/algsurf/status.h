@@ -27,10 +27,12 @@
 #ifndef ALGSURF_STATUS_H
 #define ALGSURF_STATUS_H
 
-/* The version compiled against; algsurf_version returns that of the library that runs. */
+/* The version compiled against; algsurf_version returns that of the library that runs.  As one number, of
+ * which a later version has a larger one: #if ALGSURF_VERSION >= 10200 asks for 1.2.0. */
 #define ALGSURF_VERSION_MAJOR 1
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
+#define ALGSURF_VERSION (ALGSURF_VERSION_MAJOR * 10000 + ALGSURF_VERSION_MINOR * 100 + ALGSURF_VERSION_PATCH)
 
 /* Largest total degree of a surface, hence of the polynomial along a ray. */
 #define ALGSURF_MAX_DEGREE 64
@@ -64,7 +66,7 @@ extern "C" {
     X(ALGSURF_E_RANGE, -7, "a value is out of range")                                                        \
     X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
-    X(ALGSURF_E_NAME, -10, "a name in the equation has no value")                                             \
+    X(ALGSURF_E_NAME, -10, "a name in the equation has no value")                                            \
     X(ALGSURF_OK, 0, "done")                                                                                 \
     X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
     X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \
@@ -91,6 +93,9 @@ ALGSURF_API const char *algsurf_status_name(algsurf_status status);
 /* The version of the library that runs (the macros give the one compiled against), as
  * "major.minor.patch", static.  Since 1.0. */
 ALGSURF_API const char *algsurf_version(void);
+
+/* The same as a number, of the library that runs: major * 10000 + minor * 100 + patch.  Since 1.0. */
+ALGSURF_API int algsurf_version_number(void);
 
 /* Does the library, as it was built and on the processor it runs on, compute as its proofs need?  Every bound
  * counts roundings, and a compiler may have been told to change them: to fuse a product and a sum, to keep

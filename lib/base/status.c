@@ -30,3 +30,5 @@ const char *algsurf_status_name(algsurf_status status) {
 const char *algsurf_version(void) {
     return STRING(ALGSURF_VERSION_MAJOR) "." STRING(ALGSURF_VERSION_MINOR) "." STRING(ALGSURF_VERSION_PATCH);
 }
+
+int algsurf_version_number(void) { return ALGSURF_VERSION; }

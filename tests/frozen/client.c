@@ -57,6 +57,7 @@ static void check_values(const algsurf_surface *s) {
     double value = 0, bound = 1;
     algsurf_surface *same = NULL;
     CHECK(strncmp(algsurf_version(), "1.", 2) == 0 && ALGSURF_VERSION_MAJOR == 1);
+    CHECK(algsurf_version_number() >= ALGSURF_VERSION && algsurf_version_number() < 20000);
     CHECK(strcmp(algsurf_status_name(ALGSURF_E_SYNTAX), "ALGSURF_E_SYNTAX") == 0);
     CHECK(algsurf_surface_from_terms(terms, 4, &same) == ALGSURF_OK);
     CHECK(algsurf_surface_value(s, point, &value, &bound) == ALGSURF_OK && near(value, 3));

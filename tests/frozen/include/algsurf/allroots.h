@@ -16,6 +16,24 @@ ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const
                                                  algsurf_complex_root *roots, int *count);
 ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                                          algsurf_complex_root *roots, int *count);
+ALGSURF_API algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re,
+                                                          const algsurf_integer *im, int degree,
+                                                          algsurf_complex_root *roots, int *count);
+#define ALGSURF_MAX_ROOT_BITS 1000000
+typedef struct algsurf_precise_roots algsurf_precise_roots;
+typedef struct algsurf_precise_root {
+    algsurf_integer re, im;
+    int exponent, radius;
+    int multiplicity;
+    int real;
+} algsurf_precise_root;
+ALGSURF_API algsurf_status algsurf_precise_roots_create(const algsurf_integer *re, const algsurf_integer *im,
+                                                        int degree, int bits, size_t max_memory,
+                                                        algsurf_precise_roots **roots);
+ALGSURF_API int algsurf_precise_roots_count(const algsurf_precise_roots *roots);
+ALGSURF_API algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots *roots, int i,
+                                                     algsurf_precise_root *root);
+ALGSURF_API void algsurf_precise_roots_free(algsurf_precise_roots *roots);
 typedef struct algsurf_complex_batch {
     size_t size;
     size_t count;

@@ -2,7 +2,7 @@
 #define ALGSURF_ISOLATE_H
 #include <stdint.h>
 #include "algsurf/observe.h"
-#include "algsurf/status.h"
+#include "algsurf/poly.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -14,11 +14,6 @@ typedef struct algsurf_real_root {
 } algsurf_real_root;
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
-typedef struct algsurf_integer {
-    const uint64_t *limbs;
-    int length;
-} algsurf_integer;
-#define ALGSURF_MAX_LIMBS 16384
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);

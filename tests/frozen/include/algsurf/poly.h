@@ -1,10 +1,16 @@
 #ifndef ALGSURF_POLY_H
 #define ALGSURF_POLY_H
 #include <stddef.h>
+#include <stdint.h>
 #include "algsurf/status.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
+typedef struct algsurf_integer {
+    const uint64_t *limbs;
+    int length;
+} algsurf_integer;
+#define ALGSURF_MAX_LIMBS 16384
 ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
 ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,

@@ -3,6 +3,7 @@
 #define ALGSURF_VERSION_MAJOR 1
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
+#define ALGSURF_VERSION (ALGSURF_VERSION_MAJOR * 10000 + ALGSURF_VERSION_MINOR * 100 + ALGSURF_VERSION_PATCH)
 #define ALGSURF_MAX_DEGREE 64
 #define ALGSURF_MAX_POLY_DEGREE 512
 #if defined(_WIN32) && defined(ALGSURF_DLL)
@@ -44,6 +45,7 @@ typedef enum algsurf_status {
 ALGSURF_API const char *algsurf_status_text(algsurf_status status);
 ALGSURF_API const char *algsurf_status_name(algsurf_status status);
 ALGSURF_API const char *algsurf_version(void);
+ALGSURF_API int algsurf_version_number(void);
 ALGSURF_API algsurf_status algsurf_self_test(void);
 #ifdef __cplusplus
 }
