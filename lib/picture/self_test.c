@@ -5,7 +5,7 @@
  * each part of its code is used: packets that are full and one that is not, roots, no roots, roots close
  * together, both shapes of extent, a cutting plane, tiles, normals, shadows, colours in floats, complex
  * space. Their bits must be those of "baseline", and so must those of single calls, which have code of their
- * own.
+ * own.  A library without pictures (ALGSURF_NO_PICTURES) draws none here.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
 #include "../base/arithmetic.h"
@@ -31,7 +31,6 @@ typedef struct problem {
     double c[DEGREE + 1][COUNT], im[DEGREE + 1][COUNT], lo[COUNT], hi[COUNT];
     double origin[3][COUNT], direction[3][COUNT];
     algsurf_surface *surface;
-    algsurf_scene *scene;
 } problem;
 
 typedef struct answers {
@@ -76,21 +75,10 @@ static void make_rays(problem *p) {
     }
 }
 
-/* Tangle, lit by a square. */
-static algsurf_status make_scene(problem *p) {
+static algsurf_status make_surface(problem *p) { /* Tangle */
     static const algsurf_term terms[] = {{4, 0, 0, 1},  {0, 4, 0, 1},  {0, 0, 4, 1},   {2, 0, 0, -5},
                                          {0, 2, 0, -5}, {0, 0, 2, -5}, {0, 0, 0, 11.8}};
-    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 5, 3};
-    static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
-    static const double eye[3] = {8, 5, 6}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
-    algsurf_camera camera;
-    algsurf_status status = algsurf_surface_from_terms(terms, sizeof terms / sizeof *terms, &p->surface);
-    if (status == ALGSURF_OK) status = algsurf_scene_create(p->surface, &p->scene);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_extent(p->scene, &ball);
-    if (status == ALGSURF_OK) status = algsurf_camera_pinhole(eye, at, up, 12, &camera);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_camera(p->scene, &camera);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_lights(p->scene, &light, 1);
-    return status;
+    return algsurf_surface_from_terms(terms, sizeof terms / sizeof *terms, &p->surface);
 }
 
 /* ---- its answers, by a kernel ---- */
@@ -139,6 +127,21 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
     return status;
 }
 
+#ifndef ALGSURF_NO_PICTURES
+/* The surface, lit by a square. */
+static algsurf_status make_scene(const problem *p, algsurf_scene **scene) {
+    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 5, 3};
+    static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
+    static const double eye[3] = {8, 5, 6}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    algsurf_camera camera;
+    algsurf_status status = algsurf_scene_create(p->surface, scene);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_extent(*scene, &ball);
+    if (status == ALGSURF_OK) status = algsurf_camera_pinhole(eye, at, up, 12, &camera);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_camera(*scene, &camera);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_lights(*scene, &light, 1);
+    return status;
+}
+
 /* How a picture is drawn. */
 typedef struct manner {
     int rows, begin; /* of the whole picture, of many rows there are tiles; the first one drawn */
@@ -147,13 +150,13 @@ typedef struct manner {
     size_t planes;
 } manner;
 
-static algsurf_status set_manner(const problem *p, const char *kernel, const manner *m) {
+static algsurf_status set_manner(algsurf_scene *scene, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
-    algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_clip(p->scene, &cut, m->planes);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, m->quality);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(p->scene, m->complex ? &space : NULL);
+    algsurf_status status = algsurf_scene_set_intersect(scene, &how);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_clip(scene, &cut, m->planes);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_quality(scene, m->quality);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(scene, m->complex ? &space : NULL);
     return status;
 }
 
@@ -166,7 +169,8 @@ static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
         {HIGH, OUTLINE, ALGSURF_QUALITY_STANDARD, 0, 0},
         {ROWS, 0, ALGSURF_QUALITY_STANDARD, 1, 1},
     };
-    algsurf_status status = ALGSURF_OK;
+    algsurf_scene *scene = NULL;
+    algsurf_status status = make_scene(p, &scene);
     for (int which = 0; which < PICTURES && status == ALGSURF_OK; which++) {
         const manner *m = &manners[which];
         const algsurf_render_options size = {.size = sizeof size,
@@ -180,17 +184,21 @@ static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
                                          .t = a->hits[which],
                                          .normals = a->normals[which],
                                          .state = a->states[which]};
-        status = set_manner(p, kernel, m);
-        if (status == ALGSURF_OK) status = algsurf_render(p->scene, &size, &picture, NULL);
+        status = set_manner(scene, kernel, m);
+        if (status == ALGSURF_OK) status = algsurf_render(scene, &size, &picture, NULL);
     }
+    algsurf_scene_free(scene);
     return status;
 }
+#endif
 
 static algsurf_status answer(const problem *p, const char *kernel, answers *a) {
     memset(a, 0, sizeof *a);
     algsurf_status status = solve_polynomials(p, kernel, a);
     if (status == ALGSURF_OK) status = solve_rays(p, kernel, a);
+#ifndef ALGSURF_NO_PICTURES
     if (status == ALGSURF_OK) status = draw(p, kernel, a);
+#endif
     return status;
 }
 
@@ -243,15 +251,14 @@ static algsurf_status all_agree(const problem *p, answers *plain, answers *other
 }
 
 static algsurf_status self_test(void) {
-    problem p = {.surface = NULL, .scene = NULL};
+    problem p = {.surface = NULL};
     if (!all_round()) return ALGSURF_E_BUILD;
     answers *room = malloc(2 * sizeof *room);
     make_polynomials(&p);
     make_rays(&p);
-    algsurf_status status = room ? make_scene(&p) : ALGSURF_E_NO_MEMORY;
+    algsurf_status status = room ? make_surface(&p) : ALGSURF_E_NO_MEMORY;
     if (status == ALGSURF_OK) status = all_agree(&p, room, room + 1);
     free(room);
-    algsurf_scene_free(p.scene);
     algsurf_surface_free(p.surface);
     return status;
 }

@@ -1,6 +1,7 @@
 /* avx512.h - packets of eight for AVX-512, to be included before a template; of two if the includer defines
- * PACKETS_OF_TWO, of 16 floats if SINGLE; nothing on other processors.  The includer ends with end.h. */
-#if defined(__x86_64__)
+ * PACKETS_OF_TWO, of 16 floats if SINGLE; nothing on other processors, and with
+ * ALGSURF_NO_AVX512.  The includer ends with end.h. */
+#if defined(__x86_64__) && !defined(ALGSURF_NO_AVX512)
 #include "moves.h"
 
 #if defined(PACKETS_OF_TWO)

@@ -1,4 +1,4 @@
 /* end.h - ends what avx512.h or avx2.h began. */
-#if defined(__x86_64__) && defined(__clang__)
+#if defined(LANES) && defined(__clang__)
 #pragma clang attribute pop
 #endif

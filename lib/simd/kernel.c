@@ -12,10 +12,14 @@ const algsurf_i_kernel *algsurf_i_kernel_at(int index) {
     int count = 0;
 #if defined(__x86_64__)
     __builtin_cpu_init(); /* asks the processor, and the operating system for the registers it saves */
+#ifndef ALGSURF_NO_AVX512
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
         usable[count++] = kernels + ALGSURF_AVX512;
+#endif
+#ifndef ALGSURF_NO_AVX2
     if (__builtin_cpu_supports("avx2")) usable[count++] = kernels + ALGSURF_AVX2;
+#endif
 #endif
     usable[count++] = kernels + ALGSURF_BASELINE;
     return index >= 0 && index < count ? usable[index] : NULL;

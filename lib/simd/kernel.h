@@ -14,15 +14,20 @@
 enum { ALGSURF_LANE_MISS = 0, ALGSURF_LANE_HIT = 1, ALGSURF_LANE_UNDECIDED = 2 };
 
 /* The initializer of a table by index: what is named for each kernel, without those that the processor's
- * family does not have. */
+ * family does not have, or that ALGSURF_NO_AVX512, ALGSURF_NO_AVX2 leave out. */
 enum { ALGSURF_AVX512, ALGSURF_AVX2, ALGSURF_BASELINE, ALGSURF_KERNELS };
-#if defined(__x86_64__)
-#define ALGSURF_KERNEL_TABLE(name)                                                                           \
-    { name##_avx512, name##_avx2, name##_baseline }
+#if defined(__x86_64__) && !defined(ALGSURF_NO_AVX512)
+#define ALGSURF_OF_AVX512(name) name##_avx512
 #else
-#define ALGSURF_KERNEL_TABLE(name)                                                                           \
-    { 0, 0, name##_baseline }
+#define ALGSURF_OF_AVX512(name) 0
 #endif
+#if defined(__x86_64__) && !defined(ALGSURF_NO_AVX2)
+#define ALGSURF_OF_AVX2(name) name##_avx2
+#else
+#define ALGSURF_OF_AVX2(name) 0
+#endif
+#define ALGSURF_KERNEL_TABLE(name)                                                                           \
+    { ALGSURF_OF_AVX512(name), ALGSURF_OF_AVX2(name), name##_baseline }
 
 typedef struct algsurf_i_kernel {
     const char *name;
