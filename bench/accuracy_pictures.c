@@ -62,7 +62,7 @@ static double draw(const picture_record *r, const picture_size *size, int tier, 
 /* Where both are decided: the same states, and t to the last bit. */
 static int is_same(size_t pixels, const planes *a, const planes *b) {
     for (size_t i = 0; i < pixels; i++) {
-        if (a->state[i] == ALGSURF_UNDECIDED || b->state[i] == ALGSURF_UNDECIDED) continue;
+        if (a->state[i] == ALGSURF_STATE_UNDECIDED || b->state[i] == ALGSURF_STATE_UNDECIDED) continue;
         if (a->state[i] != b->state[i] || memcmp(&a->t[i], &b->t[i], sizeof a->t[i]) != 0) return 0;
     }
     return 1;

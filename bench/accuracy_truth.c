@@ -105,7 +105,7 @@ static void prove(const view *v, const algsurf_ray *ray, truth *known) {
 
 /* Does P change its sign before the root? */
 static int changes_before(const view *v, const algsurf_ray *chord, const truth *known) {
-    double end = known->state == ALGSURF_MISS ? chord->t_max : known->lo;
+    double end = known->state == ALGSURF_STATE_MISS ? chord->t_max : known->lo;
     int first = 0;
     for (int i = 0; i <= SAMPLES; i++) {
         double t = chord->t_min + (end - chord->t_min) * i / SAMPLES;
@@ -123,14 +123,14 @@ static void find_truth(view *v, const algsurf_ray *ray, const algsurf_ray *chord
     must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, NULL, &hit), name);
     must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, &bounded, &by_doubles), name);
     *known = (truth){.state = hit.state,
-                     .left_open = by_doubles.state == ALGSURF_UNDECIDED,
+                     .left_open = by_doubles.state == ALGSURF_STATE_UNDECIDED,
                      .lo = hit.t_lo,
                      .hi = hit.t_hi,
                      .t = hit.t,
                      .error = INFINITY};
-    v->open += hit.state == ALGSURF_UNDECIDED;
+    v->open += hit.state == ALGSURF_STATE_UNDECIDED;
     if (changes_before(v, chord, known)) cli_fail(CLI_BROKEN, "%s: a root before the first hit", name);
-    if (hit.state != ALGSURF_HIT) return;
+    if (hit.state != ALGSURF_STATE_HIT) return;
     prove(v, ray, known);
     v->hits++;
     if (isinf(known->error)) {

@@ -164,7 +164,7 @@ static double run_picture(ways *w, const setting *s) {
     double seconds = draw(w, s);
     for (size_t i = 0; i < v->count; i++) {
         double t = w->picture_hits[v->pixel[i]];
-        w->answer[i] = (answer){.state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT, .t = t};
+        w->answer[i] = (answer){.state = isinf(t) ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT, .t = t};
     }
     return seconds / (double)v->all_rays;
 }
@@ -214,12 +214,13 @@ static int is_near(const view *v, const setting *s, size_t i, double t, double e
 /* Null, or how an answer contradicts the truth. */
 static const char *breach_of(const answer *a, const truth *known) {
     double error = isinf(known->error) ? 0 : known->error;
-    if (a->state == ALGSURF_UNDECIDED)
-        return known->state == ALGSURF_HIT && a->has_interval && known->hi < a->lo
+    if (a->state == ALGSURF_STATE_UNDECIDED)
+        return known->state == ALGSURF_STATE_HIT && a->has_interval && known->hi < a->lo
                    ? "an undecided interval that begins behind the root"
                    : NULL;
-    if (a->state == ALGSURF_MISS) return known->state == ALGSURF_HIT ? "a miss where there is a hit" : NULL;
-    if (known->state == ALGSURF_MISS) return "a hit where there is none";
+    if (a->state == ALGSURF_STATE_MISS)
+        return known->state == ALGSURF_STATE_HIT ? "a miss where there is a hit" : NULL;
+    if (known->state == ALGSURF_STATE_MISS) return "a hit where there is none";
     if (!a->has_interval || isinf(known->error)) return NULL;
     if (!(a->t >= a->lo && a->t <= a->hi)) return "t outside of its interval";
     return known->t + error >= a->lo && known->t - error <= a->hi ? NULL : "an interval without the root";
@@ -227,7 +228,7 @@ static const char *breach_of(const answer *a, const truth *known) {
 
 /* In a picture of the bounded tier rays that doubles leave open are drawn as hits. */
 static int is_open(const setting *s, const truth *known) {
-    return known->state == ALGSURF_UNDECIDED ||
+    return known->state == ALGSURF_STATE_UNDECIDED ||
            (s->way == WAY_PICTURE && s->tier == ALGSURF_TIER_BOUNDED && known->left_open);
 }
 
@@ -235,10 +236,10 @@ static void judge_ray(ways *w, const setting *s, size_t i, verdict *r) {
     const truth *known = &w->view->truth[i];
     const answer *a = &w->answer[i];
     const char *breach = breach_of(a, known);
-    r->undecided += a->state == ALGSURF_UNDECIDED;
+    r->undecided += a->state == ALGSURF_STATE_UNDECIDED;
     if (is_open(s, known)) return;
-    int wrong = a->state != ALGSURF_UNDECIDED && a->state != known->state;
-    if (a->state == ALGSURF_HIT && known->state == ALGSURF_HIT && !isinf(known->error)) {
+    int wrong = a->state != ALGSURF_STATE_UNDECIDED && a->state != known->state;
+    if (a->state == ALGSURF_STATE_HIT && known->state == ALGSURF_STATE_HIT && !isinf(known->error)) {
         double error = w->error[r->hits++] = fabs((a->t - known->t) - known->rest);
         wrong = !is_near(w->view, s, i, a->t, error);
         if (wrong && !breach && s->method != ALGSURF_METHOD_REGULA_FALSI)

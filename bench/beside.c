@@ -8,8 +8,8 @@ static beside_answer first(const algsurf_surface *surface, const algsurf_extent 
     algsurf_hit hit;
     if (algsurf_intersect_first(surface, extent, ray, &certified, &hit) != ALGSURF_OK) return BESIDE_REFUSED;
     *t = hit.t;
-    if (hit.state == ALGSURF_UNDECIDED) return BESIDE_UNDECIDED;
-    return hit.state == ALGSURF_HIT ? BESIDE_HIT : BESIDE_NO_HIT;
+    if (hit.state == ALGSURF_STATE_UNDECIDED) return BESIDE_UNDECIDED;
+    return hit.state == ALGSURF_STATE_HIT ? BESIDE_HIT : BESIDE_NO_HIT;
 }
 
 const beside_edition beside = {

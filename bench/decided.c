@@ -79,7 +79,8 @@ static void judge_all(const example *e, size_t i) {
         refuse(e, i, "its roots are refused");
     if (count < e->least || count > e->most) refuse(e, i, "another number of roots");
     for (int k = 0; k < count; k++)
-        if (hits[k].state != ALGSURF_HIT || (e->least == e->most && hits[k].multiplicity != e->multiplicity))
+        if (hits[k].state != ALGSURF_STATE_HIT ||
+            (e->least == e->most && hits[k].multiplicity != e->multiplicity))
             refuse(e, i, "a root that is not as it was made");
 }
 
@@ -91,14 +92,14 @@ static int judge(const example *e, size_t i) {
     if (algsurf_intersect_first(e->equation, &e->extent, ray, NULL, &hit) != ALGSURF_OK ||
         algsurf_intersect_first(e->equation, &e->extent, ray, &bounded, &by_doubles) != ALGSURF_OK)
         refuse(e, i, "it is refused");
-    int open = by_doubles.state == ALGSURF_UNDECIDED;
-    if (hit.state != ALGSURF_HIT) refuse(e, i, "no hit");
+    int open = by_doubles.state == ALGSURF_STATE_UNDECIDED;
+    if (hit.state != ALGSURF_STATE_HIT) refuse(e, i, "no hit");
     if (hit.multiplicity != e->multiplicity) refuse(e, i, "a hit of another multiplicity");
     if ((hit.side == 0) != (hit.multiplicity == 0)) refuse(e, i, "a side where there is none, or none");
     if (!(hit.t_lo <= hit.t && hit.t <= hit.t_hi)) refuse(e, i, "t outside of its interval");
     if (!example_hit_at(e, i, hit.t)) refuse(e, i, "a hit elsewhere");
     if (open && hit.t_hi > nextafter(hit.t_lo, INFINITY)) refuse(e, i, "an interval wider than it must be");
-    if (!open && by_doubles.state != ALGSURF_HIT) refuse(e, i, "no hit by doubles");
+    if (!open && by_doubles.state != ALGSURF_STATE_HIT) refuse(e, i, "no hit by doubles");
     judge_all(e, i);
     return open;
 }

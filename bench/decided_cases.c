@@ -248,7 +248,7 @@ static int hits_from(const example *e, const algsurf_ray *from, double t) {
     ray.t_min = t;
     ray.t_max = fmin(ray.t_max, t + 1e-9 * fabs(t));
     must(algsurf_intersect_first(e->equation, &e->extent, &ray, NULL, &hit), "a ray is refused");
-    return hit.state == ALGSURF_HIT;
+    return hit.state == ALGSURF_STATE_HIT;
 }
 
 /* The last double from which the ray still hits what it hits at t or so. */
@@ -309,7 +309,7 @@ static int is_clear(const example *e, const algsurf_ray *ray, double *t) {
     algsurf_hit hit;
     must(algsurf_intersect_first(e->equation, &e->extent, ray, &bounded, &hit), "a ray is refused");
     *t = hit.t;
-    return hit.state == ALGSURF_HIT &&
+    return hit.state == ALGSURF_STATE_HIT &&
            sign_at(e, ray, hit.t * (1 - 1e-6)) * sign_at(e, ray, hit.t * (1 + 1e-6)) < 0;
 }
 

@@ -122,7 +122,7 @@ static void judge_all(const work *w, const truth *known, tally *t) {
                      w->sweep->name, w->sweep->values[w->point], w->variant, i, w->scene.count,
                      manner_names[w->manner], v.wrong);
         t->rays++;
-        t->hits += known[i].state == ALGSURF_HIT;
+        t->hits += known[i].state == ALGSURF_STATE_HIT;
         t->undecided += (size_t)v.undecided;
         if (!isnan(v.error)) t->error[t->errors++] = v.error;
     }

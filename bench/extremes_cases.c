@@ -103,7 +103,7 @@ void set_ray(scene *s, size_t i, const double eye[3], const double direction[3])
     }
     s->t_min[i] = 0;
     s->t_max[i] = INFINITY;
-    s->expected[i] = ALGSURF_UNDECIDED;
+    s->expected[i] = ALGSURF_STATE_UNDECIDED;
 }
 
 void set_look(scene *s, size_t i, const double eye[3], const double target[3]) {

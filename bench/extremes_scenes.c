@@ -69,7 +69,7 @@ int make_gap(int variant, double value, measure_random *random, scene *s) {
                eye[3] = {-3 * direction[0], -3 * direction[1], below * level};
         set_ray(s, i, eye, direction);
         int misses = variant == 3 || (variant == 0 && below < 0);
-        s->expected[i] = misses ? ALGSURF_MISS : ALGSURF_HIT;
+        s->expected[i] = misses ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
     }
     return set_equation(s, equations[variant]);
 }

@@ -146,8 +146,9 @@ static void polish(const scene *s, size_t i, const answers *a, truth *known) {
 
 truth scene_truth(const scene *s, size_t i, const answers *certified) {
     truth known = {s->expected[i], certified->t[i], 0, INFINITY};
-    if (known.state == ALGSURF_UNDECIDED) known.state = certified->state[i];
-    if (known.state == ALGSURF_HIT && certified->state[i] == ALGSURF_HIT) polish(s, i, certified, &known);
+    if (known.state == ALGSURF_STATE_UNDECIDED) known.state = certified->state[i];
+    if (known.state == ALGSURF_STATE_HIT && certified->state[i] == ALGSURF_STATE_HIT)
+        polish(s, i, certified, &known);
     return known;
 }
 
@@ -190,11 +191,13 @@ static int is_before(const truth *known, double x) { return (known->root - x) + 
 static int is_after(const truth *known, double x) { return (known->root - x) + known->rest > 0; }
 
 verdict judge(const truth *known, const answers *a, size_t i) {
-    verdict v = {NULL, a->state[i] == ALGSURF_UNDECIDED, NAN};
-    int is_hit = a->state[i] == ALGSURF_HIT, precise = known->state == ALGSURF_HIT && isfinite(known->unit);
-    if (known->state == ALGSURF_UNDECIDED) return v;
-    if (is_hit && known->state == ALGSURF_MISS) v.wrong = "a hit where there is no root";
-    if (a->state[i] == ALGSURF_MISS && known->state == ALGSURF_HIT) v.wrong = "a miss where there is a root";
+    verdict v = {NULL, a->state[i] == ALGSURF_STATE_UNDECIDED, NAN};
+    int is_hit = a->state[i] == ALGSURF_STATE_HIT,
+        precise = known->state == ALGSURF_STATE_HIT && isfinite(known->unit);
+    if (known->state == ALGSURF_STATE_UNDECIDED) return v;
+    if (is_hit && known->state == ALGSURF_STATE_MISS) v.wrong = "a hit where there is no root";
+    if (a->state[i] == ALGSURF_STATE_MISS && known->state == ALGSURF_STATE_HIT)
+        v.wrong = "a miss where there is a root";
     if (precise && v.undecided && is_before(known, a->t_lo[i]))
         v.wrong = "a root before the undecided interval";
     if (!precise || !is_hit) return v;

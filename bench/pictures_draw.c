@@ -191,7 +191,7 @@ static int is_left_open(const stage *s, size_t pixel) {
     algsurf_ray ray = ray_of(s, pixel);
     algsurf_hit hit;
     must(algsurf_intersect_first(s->surface, &s->entry->extent, &ray, &bounded, &hit), s->entry->name);
-    return hit.state == ALGSURF_UNDECIDED;
+    return hit.state == ALGSURF_STATE_UNDECIDED;
 }
 
 /* The same pixels with a hit; with `more` allowed at least those; with `open` allowed but for pixels that

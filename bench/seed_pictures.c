@@ -48,7 +48,7 @@ static int is_left_open(const seed_view *view, int pixel) {
     algsurf_hit hit;
     if (!seed_chord(view, pixel, &chord)) return 1; /* its ray touches the extent at most */
     must(algsurf_intersect_first(view->surface, NULL, &chord, &bounded, &hit), view->entry->name);
-    return hit.state == ALGSURF_UNDECIDED;
+    return hit.state == ALGSURF_STATE_UNDECIDED;
 }
 
 static int is_right(const seed_easel *easel, int pixel, double tolerance) {

@@ -78,7 +78,7 @@ static void intersect(const struct RTCIntersectFunctionNArguments *a) {
         load(&l, ray, a->valid, N, first);
         if (algsurf_intersect_packet(s->surface, &s->extent, &l.packet, NULL, &hits) < 0) continue;
         for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
-            if (!l.active[i] || state[i] == ALGSURF_MISS) continue;
+            if (!l.active[i] || state[i] == ALGSURF_STATE_MISS) continue;
             ray[TFAR * N + j] = (float)t[i];
             for (unsigned k = 0; k < 3; k++) ray[(NG + k) * N + j] = (float)n[k][i];
             ray[U * N + j] = ray[V * N + j] = 0;
@@ -98,7 +98,7 @@ static void occluded(const struct RTCOccludedFunctionNArguments *a) {
         load(&l, ray, a->valid, a->N, first);
         if (algsurf_occluded_packet(s->surface, &s->extent, &l.packet, NULL, state) < 0) continue;
         for (unsigned i = 0; i < l.packet.count; i++)
-            if (l.active[i] && state[i] != ALGSURF_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
+            if (l.active[i] && state[i] != ALGSURF_STATE_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
     }
 }
 
@@ -162,7 +162,7 @@ static struct RTCRayHit truth(RTCScene floor, const user_surface *s, struct RTCR
                              r.ray.tfar};
     algsurf_hit hit;
     if (algsurf_intersect_first(s->surface, &s->extent, &ray, NULL, &hit) < 0) exit(1);
-    if (hit.state == ALGSURF_MISS) return r;
+    if (hit.state == ALGSURF_STATE_MISS) return r;
     r.ray.tfar = (float)hit.t;
     r.hit = (struct RTCHit){.Ng_x = (float)hit.normal[0],
                             .Ng_y = (float)hit.normal[1],

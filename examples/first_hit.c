@@ -12,11 +12,11 @@ static void shoot(const algsurf_surface *surface, const algsurf_ray *ray) {
     algsurf_status status = algsurf_intersect_first(surface, NULL, ray, NULL, &hit);
     if (status < 0) {
         printf("failed: %s\n", algsurf_status_text(status));
-    } else if (hit.state == ALGSURF_HIT) {
+    } else if (hit.state == ALGSURF_STATE_HIT) {
         printf("hit at t = %g, point (%g, %g, %g), normal (%g, %g, %g)\n", hit.t, hit.position[0],
                hit.position[1], hit.position[2], hit.normal[0], hit.normal[1], hit.normal[2]);
     } else {
-        printf("%s\n", hit.state == ALGSURF_MISS ? "miss" : "undecided");
+        printf("%s\n", hit.state == ALGSURF_STATE_MISS ? "miss" : "undecided");
     }
 }
 

@@ -67,8 +67,8 @@ static int look(glance *g, const algsurf_camera *camera, int rectangle[4], int *
     if (*g->failed != ALGSURF_OK) return 0;
     for (int y = 0; y < g->height; y++)
         for (int x = 0; x < g->width; x++) {
-            if (g->state[y * g->width + x] == ALGSURF_MISS) continue;
-            met |= g->state[y * g->width + x] != ALGSURF_THIN;
+            if (g->state[y * g->width + x] == ALGSURF_STATE_MISS) continue;
+            met |= g->state[y * g->width + x] != ALGSURF_STATE_THIN;
             left = x < left ? x : left, right = x + 1 > right ? x + 1 : right;
             top = y < top ? y : top, bottom = y + 1;
         }
@@ -84,7 +84,7 @@ static double reach_of(const glance *g, const algsurf_camera *camera, const doub
     for (int i = 0; i < g->width * g->height && *g->failed == ALGSURF_OK; i++) {
         algsurf_ray ray = {.t_max = 0};
         double square = 0;
-        if (g->state[i] == ALGSURF_MISS || g->state[i] == ALGSURF_THIN) continue;
+        if (g->state[i] == ALGSURF_STATE_MISS || g->state[i] == ALGSURF_STATE_THIN) continue;
         fit_demand(g->failed, algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5,
                                                  i / g->width + 0.5, &ray));
         for (int k = 0; k < 3; k++) {

@@ -90,7 +90,7 @@ static void intersect_packet(const host_arguments *a) {
                                .normal = {normal[0], normal[1], normal[2]}};
     if (algsurf_intersect_packet(s->surface, &s->extent, &rays, NULL, &hits) < 0) return;
     for (int i = 0; i < a->N; i++) {
-        if (!active[i] || state[i] == ALGSURF_MISS) continue;
+        if (!active[i] || state[i] == ALGSURF_STATE_MISS) continue;
         algsurf_hit hit = {.t = t[i],
                            .position = {at[0][i], at[1][i], at[2][i]},
                            .normal = {normal[0][i], normal[1][i], normal[2][i]}};
@@ -106,7 +106,7 @@ static void intersect(const host_arguments *a) {
         algsurf_ray ray = ray_of(a->rays, 0);
         algsurf_hit hit;
         if (algsurf_intersect_first(s->surface, &s->extent, &ray, NULL, &hit) < 0) return;
-        if (hit.state != ALGSURF_MISS) take_hit(a, 0, &hit);
+        if (hit.state != ALGSURF_STATE_MISS) take_hit(a, 0, &hit);
     }
 }
 
@@ -126,12 +126,12 @@ static void occluded(const host_arguments *a) {
         algsurf_ray_packet rays = packet_of(a, active);
         if (algsurf_occluded_packet(s->surface, &s->extent, &rays, NULL, state) < 0) return;
         for (int i = 0; i < a->N; i++)
-            if (active[i] && state[i] != ALGSURF_MISS) take_occluder(a, i);
+            if (active[i] && state[i] != ALGSURF_STATE_MISS) take_occluder(a, i);
     } else if (a->valid[0]) {
         algsurf_ray ray = ray_of(a->rays, 0);
         int state;
         if (algsurf_occluded(s->surface, &s->extent, &ray, NULL, &state) < 0) return;
-        if (state != ALGSURF_MISS) take_occluder(a, 0);
+        if (state != ALGSURF_STATE_MISS) take_occluder(a, 0);
     }
 }
 

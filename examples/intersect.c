@@ -83,7 +83,7 @@ static void add_numbers(table *out, const double *values, int count) {
 
 static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
     table *out = &r->out;
-    table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "undecided");
+    table_add(out, "%zu\t%s", line, hit->state == ALGSURF_STATE_HIT ? "hit" : "undecided");
     add_numbers(out, &hit->t, 1);
     add_numbers(out, &hit->t_lo, 1);
     add_numbers(out, &hit->t_hi, 1);
@@ -93,7 +93,7 @@ static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
         add_absent(out, 3);
     else
         add_numbers(out, n, 3);
-    if (hit->state == ALGSURF_HIT)
+    if (hit->state == ALGSURF_STATE_HIT)
         table_add(out, "\t%d\t%d", hit->multiplicity, hit->side);
     else
         add_absent(out, 2);
@@ -135,7 +135,7 @@ static int meet(run *r, size_t line, const algsurf_ray *ray) {
         cli_complain("line %zu: %s", line, algsurf_status_text(status));
         return 0;
     }
-    if (count == 0 || r->hits[0].state == ALGSURF_MISS)
+    if (count == 0 || r->hits[0].state == ALGSURF_STATE_MISS)
         print_empty(r, line, "miss");
     else
         for (int i = 0; i < count; i++) print_hit(r, line, &r->hits[i]);

@@ -149,7 +149,7 @@ static algsurf_hit show_walk(const algsurf_surface *surface, const algsurf_ray *
 /* ---- hit, colour ---- */
 
 static void show_hit(const algsurf_hit *hit) {
-    printf("\n[hit]\nstate      %s\n", hit->state == ALGSURF_HIT ? "hit" : "other");
+    printf("\n[hit]\nstate      %s\n", hit->state == ALGSURF_STATE_HIT ? "hit" : "other");
     printf("t          %.12f in t + [%.1e, %.1e]\n", hit->t, hit->t_lo - hit->t, hit->t_hi - hit->t);
     print_vector("position", hit->position);
     print_vector("normal", hit->normal);
@@ -184,7 +184,7 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
 /* ---- undecided signs ---- */
 
 static const char *state_name(int state) {
-    return state == ALGSURF_HIT ? "hit" : state == ALGSURF_MISS ? "miss" : "undecided";
+    return state == ALGSURF_STATE_HIT ? "hit" : state == ALGSURF_STATE_MISS ? "miss" : "undecided";
 }
 
 /* Of each root on the ray its multiplicity; how far apart the doubles next to two of them are. */

@@ -47,7 +47,7 @@ static void look_at_torus(void) {
 static double brightness(int pixel, const double light[3]) {
     algsurf_ray ray;
     double normal[3], to_light[3];
-    if (state[pixel] == ALGSURF_MISS) return 0;
+    if (state[pixel] == ALGSURF_STATE_MISS) return 0;
     check(algsurf_camera_ray(&camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray));
     for (int i = 0; i < 3; i++) {
         normal[i] = normals[pixel][i];

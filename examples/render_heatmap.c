@@ -23,7 +23,7 @@ static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent,
     how.planes = options->clip.plane;
     how.plane_count = options->clip.count;
     if (algsurf_intersect_first(surface, extent, ray, &how, &hit) != ALGSURF_OK ||
-        hit.state == ALGSURF_UNDECIDED)
+        hit.state == ALGSURF_STATE_UNDECIDED)
         return LEFT_OPEN;
     return observer.cells > 0 ? (int)(observer.cells + observer.evaluations) : NO_CHORD;
 }

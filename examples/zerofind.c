@@ -206,7 +206,8 @@ static void print_hit(table *out, const algsurf_hit *hit, const char *kind, cons
     double value = 0;
     (void)algsurf_surface_value(surface, hit->position, &value, NULL);
     table_add(out, "-\t");
-    print_row(out, hit->state == ALGSURF_HIT ? kind : "undecided", hit->t, value, hit->t_lo, hit->t_hi, "-");
+    print_row(out, hit->state == ALGSURF_STATE_HIT ? kind : "undecided", hit->t, value, hit->t_lo, hit->t_hi,
+              "-");
 }
 
 static void print_trace(const zerofind *z, const algsurf_surface *surface, int json) {
@@ -264,8 +265,7 @@ int main(int argc, char **argv) {
                                                   : "");
     algsurf_surface *surface = cli_make_surface(&options.surface);
     view shown = view_make(&options.view, given->name ? catalogue_find(given->name) : NULL);
-    if (!given->name && options.pixel.given)
-        fit_view(&shown, &options.view, surface, 0, 1);
+    if (!given->name && options.pixel.given) fit_view(&shown, &options.view, surface, 0, 1);
     algsurf_ray ray = choose_ray(&options, &shown);
     chord on;
     int meets;

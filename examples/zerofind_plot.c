@@ -152,10 +152,10 @@ static void add_ends(chart *c, const chord *on) {
 static void add_hits(chart *c, const zerofind *z) {
     const chord *on = &z->chord;
     size_t others = 0, open = 0;
-    int first_is_hit = z->count > 0 && z->hits[0].state == ALGSURF_HIT;
+    int first_is_hit = z->count > 0 && z->hits[0].state == ALGSURF_STATE_HIT;
     for (int k = 0; k < z->count; k++) {
         const algsurf_hit *hit = &z->hits[k];
-        if (hit->state != ALGSURF_HIT) {
+        if (hit->state != ALGSURF_STATE_HIT) {
             c->bands[open++] = t_in(c, on, chord_s(on, hit->t_lo));
             c->bands[open++] = t_in(c, on, chord_s(on, hit->t_hi));
         } else if (k > 0 && is_shown(c, chord_s(on, hit->t))) {
@@ -266,7 +266,7 @@ static void describe(const zerofind *z, const zerofind_words *words, char *text,
     size -= (size_t)length;
     if (z->count == 0)
         snprintf(text, size, "There is no root on it: verified.");
-    else if (first->state != ALGSURF_HIT)
+    else if (first->state != ALGSURF_STATE_HIT)
         snprintf(text, size, "Undecided near t = %.15g: %s.", first->t, algsurf_status_text(first->reason));
     else
         describe_root(z, digits, text, size);
@@ -291,7 +291,7 @@ static double clear_of_noise(const chord *on, double lo, double hi) {
 /* The part of the chord for the second chart; returns 0 when there is none. */
 static int close_up(const zerofind *z, const zerofind_words *words, chart *c) {
     const algsurf_hit *first = z->hits;
-    int is_hit = z->count > 0 && first->state == ALGSURF_HIT;
+    int is_hit = z->count > 0 && first->state == ALGSURF_STATE_HIT;
     if (z->count == 0 || (is_hit && first->multiplicity == 0)) return 0;
     c->s_lo = chord_s(&z->chord, first->t_lo);
     c->s_hi = chord_s(&z->chord, first->t_hi);

@@ -65,7 +65,8 @@ algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_exte
     algsurf_status status = algsurf_intersect_all(surface, extent, ray, &all, result->hits,
                                                   ALGSURF_MAX_DEGREE + 1, &result->count);
     if (status == ALGSURF_OK) status = algsurf_intersect_first(surface, extent, ray, &options, &first);
-    if (status != ALGSURF_OK || result->count == 0 || result->hits[0].state != ALGSURF_HIT) return status;
+    if (status != ALGSURF_OK || result->count == 0 || result->hits[0].state != ALGSURF_STATE_HIT)
+        return status;
     result->bracket = find_bracket(result);
     follow_points(result);
     return ALGSURF_OK;

@@ -82,20 +82,20 @@ static inline int intersect_unit(const double n[3]) {
 
 /* One hit by itself: its numbers are finite where they must be, in order, and tell the same place. */
 static inline const char *intersect_form(const intersect_case *c, const algsurf_hit *h) {
-    if (h->state == ALGSURF_MISS) {
+    if (h->state == ALGSURF_STATE_MISS) {
         int empty = h->t == INFINITY && h->t_lo == INFINITY && h->t_hi == INFINITY && h->reason == ALGSURF_OK;
         empty = empty && h->multiplicity == 0;
         for (int i = 0; i < 3; i++) empty = empty && h->position[i] == 0 && h->normal[i] == 0;
         return empty ? NULL : "a miss with numbers";
     }
-    if ((h->state == ALGSURF_HIT) != (h->reason == ALGSURF_OK)) return "reason";
-    if (h->state == ALGSURF_UNDECIDED && h->reason < 0) return "reason";
+    if ((h->state == ALGSURF_STATE_HIT) != (h->reason == ALGSURF_OK)) return "reason";
+    if (h->state == ALGSURF_STATE_UNDECIDED && h->reason < 0) return "reason";
     if (!(h->t_lo <= h->t && h->t <= h->t_hi)) return "t outside of its interval";
     if (!(c->ray.t_min <= h->t_lo && h->t_hi <= c->ray.t_max)) return "outside of the ray";
     int singular = h->normal[0] == 0 && h->normal[1] == 0 && h->normal[2] == 0;
     if (!singular && !intersect_unit(h->normal)) return "normal is not of unit length";
     /* (beyond the largest double the position may be that of the root itself) */
-    int beyond = h->state == ALGSURF_HIT && (isinf(h->t_lo) || isinf(h->t_hi));
+    int beyond = h->state == ALGSURF_STATE_HIT && (isinf(h->t_lo) || isinf(h->t_hi));
     for (int i = 0; i < 3 && isfinite(h->t) && !beyond; i++) {
         double x = fma(h->t, c->ray.direction[i], c->ray.origin[i]);
         double size = fabs(c->ray.origin[i]) + fabs(h->t * c->ray.direction[i]);
@@ -117,43 +117,43 @@ static inline const char *intersect_truth(const intersect_case *c, const exact_s
     for (int i = 0; i < a->count; i++) {
         const algsurf_hit *h = a->all + i;
         int inside = exact_count_roots(s, h->t_lo, h->t_hi);
-        if (h->state == ALGSURF_HIT && inside < 1) return "a hit without a root";
+        if (h->state == ALGSURF_STATE_HIT && inside < 1) return "a hit without a root";
         if (i > 0 && !(h[-1].t <= h->t && h[-1].t_lo <= h->t_lo && h[-1].t_hi <= h->t_hi))
             return "hits out of order";
         outside -= inside;
     }
     if (outside > 0) return "a root outside of the hits"; /* below 0: intervals overlap by their rounding */
     const algsurf_hit *f = &a->first;
-    if (f->state == ALGSURF_MISS && total > 0) return "a first miss where there is a root";
-    if (a->occluded == ALGSURF_MISS && total > 0) return "not occluded where there is a root";
-    if (f->state == ALGSURF_HIT && exact_count_roots(s, f->t_lo, f->t_hi) < 1)
+    if (f->state == ALGSURF_STATE_MISS && total > 0) return "a first miss where there is a root";
+    if (a->occluded == ALGSURF_STATE_MISS && total > 0) return "not occluded where there is a root";
+    if (f->state == ALGSURF_STATE_HIT && exact_count_roots(s, f->t_lo, f->t_hi) < 1)
         return "a first hit without a root";
-    if (f->state != ALGSURF_MISS &&
+    if (f->state != ALGSURF_STATE_MISS &&
         exact_count_roots(s, lo, f->t_lo) > exact_count_roots(s, f->t_lo, f->t_lo) &&
         exact_count_roots(s, lo, nextafter(f->t_lo, -INFINITY)) > 0)
         return "a root before the first hit";
     double before = f->t - 0x1p-49 * fabs(f->t); /* from there to t no double tells roots apart */
-    if (f->state == ALGSURF_HIT && exact_count_roots(s, lo, f->t_hi) != 1 && before >= lo &&
+    if (f->state == ALGSURF_STATE_HIT && exact_count_roots(s, lo, f->t_hi) != 1 && before >= lo &&
         exact_count_roots(s, lo, before) > 0 && exact_count_roots(s, lo, f->t) > 1)
         return "the first hit is a later root";
-    if (a->occluded == ALGSURF_HIT && total == 0) return "occluded by nothing";
+    if (a->occluded == ALGSURF_STATE_HIT && total == 0) return "occluded by nothing";
     return NULL;
 }
 
 /* Three calls, one truth. */
 static inline const char *intersect_agree(const intersect_answer *a) {
-    if ((a->count == 0) != (a->first.state == ALGSURF_MISS)) return "first and all disagree";
+    if ((a->count == 0) != (a->first.state == ALGSURF_STATE_MISS)) return "first and all disagree";
     int any = 0;
-    for (int i = 0; i < a->count; i++) any = any || a->all[i].state == ALGSURF_HIT;
+    for (int i = 0; i < a->count; i++) any = any || a->all[i].state == ALGSURF_STATE_HIT;
     if (a->count > 0 && a->first.state != a->all[0].state) return "first is not the first of all";
     if (a->count > 0 && !(a->first.t_lo <= a->all[0].t_hi && a->all[0].t_lo <= a->first.t_hi))
         return "first is elsewhere";
-    if (a->first.state == ALGSURF_UNDECIDED &&
+    if (a->first.state == ALGSURF_STATE_UNDECIDED &&
         (a->first.t_lo != a->all[0].t_lo || a->first.t_hi != a->all[0].t_hi))
         return "first is undecided elsewhere than all";
-    int wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNDECIDED;
+    int wanted = a->count == 0 ? ALGSURF_STATE_MISS : any ? ALGSURF_STATE_HIT : ALGSURF_STATE_UNDECIDED;
     /* an odd number of hits that cannot be told apart is a hit for occluded alone */
-    return a->occluded == wanted || (wanted == ALGSURF_UNDECIDED && a->occluded == ALGSURF_HIT)
+    return a->occluded == wanted || (wanted == ALGSURF_STATE_UNDECIDED && a->occluded == ALGSURF_STATE_HIT)
                ? NULL
                : "occluded disagrees";
 }
@@ -189,7 +189,7 @@ static inline double intersect_error(const intersect_case *c, exact_line *line, 
 /* A hit against the i-th root. */
 static inline const char *intersect_wrong_hit(const exact_hits *h, int i, const algsurf_hit *hit) {
     const exact_place *place = h->place + i;
-    if (hit->state != ALGSURF_HIT || hit->reason != ALGSURF_OK) return "a root is no hit";
+    if (hit->state != ALGSURF_STATE_HIT || hit->reason != ALGSURF_OK) return "a root is no hit";
     if (hit->multiplicity != place->multiplicity) return "multiplicity";
     if (hit->side != place->side) return "side";
     if (!(hit->t_lo <= hit->t && hit->t <= hit->t_hi && isfinite(hit->t))) return "t outside of its interval";
@@ -201,8 +201,8 @@ static inline const char *intersect_wrong_hit(const exact_hits *h, int i, const 
 /* A ray in the surface that has no begin, and no extent: a hit at the largest negative number. */
 static inline const char *intersect_wrong_infinite(const intersect_answer *a) {
     const algsurf_hit *hit = &a->first;
-    if (a->count != 1 || a->occluded != ALGSURF_HIT) return "not one hit";
-    if (hit->state != ALGSURF_HIT || hit->multiplicity != 0 || hit->side != 0) return "no hit";
+    if (a->count != 1 || a->occluded != ALGSURF_STATE_HIT) return "not one hit";
+    if (hit->state != ALGSURF_STATE_HIT || hit->multiplicity != 0 || hit->side != 0) return "no hit";
     return hit->t == -DBL_MAX && hit->t_lo == (double)-INFINITY ? NULL : "t of a hit at infinity";
 }
 
@@ -212,8 +212,8 @@ static inline const char *intersect_wrong(const exact_hits *h, const intersect_a
     const char *wrong = a->count != h->count ? "number of hits" : NULL;
     for (int i = 0; !wrong && i < h->count; i++) wrong = intersect_wrong_hit(h, i, a->all + i);
     if (wrong) return wrong;
-    if (a->first.state != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "first";
-    if (a->occluded != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "occluded";
+    if (a->first.state != (h->count ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS)) return "first";
+    if (a->occluded != (h->count ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS)) return "occluded";
     if (h->count) return intersect_wrong_hit(h, 0, &a->first);
     if (h->in_surface) return a->first.side == 0 ? NULL : "side of a ray in the surface";
     if (a->first.side == 0) return h->is_short ? NULL : "a miss without side";

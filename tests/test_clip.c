@@ -190,8 +190,8 @@ TEST(six_planes_are_a_box) {
         assert_memory_equal(box_says.occluded, planes_say.occluded, RAYS);
         assert_memory_equal(box_says.multiplicity, planes_say.multiplicity, sizeof box_says.multiplicity);
         for (int i = 0; i < RAYS; i++) {
-            hits += box_says.state[i] == ALGSURF_HIT;
-            if (box_says.state[i] == ALGSURF_HIT && !(fabs(box_says.t[i] - planes_say.t[i]) < 1e-13))
+            hits += box_says.state[i] == ALGSURF_STATE_HIT;
+            if (box_says.state[i] == ALGSURF_STATE_HIT && !(fabs(box_says.t[i] - planes_say.t[i]) < 1e-13))
                 fail_msg("ray %d: t = %a, not %a", i, planes_say.t[i], box_says.t[i]);
         }
     }
@@ -234,7 +234,7 @@ TEST(shadows_as_by_rays) {
         int differ = 0, brighter = 0; /* t is rounded otherwise: a few bytes may differ by one */
         for (int k = 0; k < 3 * WIDTH * HEIGHT; k++) {
             differ += abs(fans.bytes[k] - rays.bytes[k]) > 1;
-            brighter += whole.states[k / 3] == ALGSURF_HIT && whole.t[k / 3] == fans.t[k / 3] &&
+            brighter += whole.states[k / 3] == ALGSURF_STATE_HIT && whole.t[k / 3] == fans.t[k / 3] &&
                         fans.bytes[k] > whole.bytes[k] + 8;
         }
         assert_int_equal(differ, 0);
@@ -278,14 +278,14 @@ TEST(complex_space_is_cut) {
     draw(scene, &cut);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         const algsurf_ray ray = cut_ray(&camera, &plane, i);
-        algsurf_hit hit = {.state = ALGSURF_MISS};
+        algsurf_hit hit = {.state = ALGSURF_STATE_MISS};
         if (ray.t_min <= ray.t_max)
             assert_ok(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL));
         if (hit.state != cut.states[i]) fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
-        if (hit.state == ALGSURF_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
+        if (hit.state == ALGSURF_STATE_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
             fail_msg("pixel %d: t = %a, not %a", i, cut.t[i], hit.t);
-        fewer += whole.states[i] == ALGSURF_HIT && cut.states[i] != ALGSURF_HIT;
-        hits += cut.states[i] == ALGSURF_HIT;
+        fewer += whole.states[i] == ALGSURF_STATE_HIT && cut.states[i] != ALGSURF_STATE_HIT;
+        hits += cut.states[i] == ALGSURF_STATE_HIT;
     }
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);

@@ -445,8 +445,8 @@ TEST(test_picture_of_itself) {
         assert_ok(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded));
         for (int x = 0; x < SIDE; x++) {
             const double origin[3] = {o[0][x], o[1][x], o[2][x]}, along[3] = {d[0][x], d[1][x], d[2][x]};
-            int wanted = meets_sphere(origin, along) ? ALGSURF_HIT : ALGSURF_MISS;
-            hits += wanted == ALGSURF_HIT;
+            int wanted = meets_sphere(origin, along) ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS;
+            hits += wanted == ALGSURF_STATE_HIT;
             if (found[x] != wanted || occluded[x] != wanted) {
                 exact_print_doubles("origin", origin, 3), exact_print_doubles("direction", along, 3);
                 fail_msg("row %d, column %d: state %d, occluded %d", row, x, found[x], occluded[x]);
@@ -474,7 +474,7 @@ TEST(test_far_exponents) {
     printf("far exponents: %.2f s, state %d, multiplicity %d at %a\n", taken, hit.state, hit.multiplicity,
            hit.t);
     /* x^7 divides P; x is 0 at t = 2^-1000 / 3.3.. */
-    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_int_equal(hit.multiplicity, 7);
     assert_true(fabs(hit.t / (0x1p-1000 / 0x1.a888cefc9fcf2p+1) - 1) < 0x1p-50);
     assert_true(taken < 5);
@@ -527,14 +527,14 @@ TEST(test_powers_of_a_sphere) {
             taken += unit_seconds() - begun;
             int meets = meets_sphere(c.ray.origin, c.ray.direction);
             int right = meets ? hit.multiplicity == rows[i].power && hit.side == 1 : hit.multiplicity == 0;
-            if (!right || hit.state != (meets ? ALGSURF_HIT : ALGSURF_MISS)) {
+            if (!right || hit.state != (meets ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS)) {
                 exact_print_doubles("origin", c.ray.origin, 3);
                 exact_print_doubles("direction", c.ray.direction, 3);
                 fail_msg("seed %llu, power %d: state %d, multiplicity %d, side %d",
                          (unsigned long long)first_seed, rows[i].power, hit.state, hit.multiplicity,
                          hit.side);
             }
-            hits += hit.state == ALGSURF_HIT;
+            hits += hit.state == ALGSURF_STATE_HIT;
         }
         taken /= rows[i].rays;
         printf("power %d: %d hits of %d, %.3f ms a ray\n", rows[i].power, hits, rows[i].rays, 1e3 * taken);
@@ -571,12 +571,12 @@ TEST(test_limit_of_memory) {
     assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_E_NO_MEMORY);
     assert_int_equal(algsurf_occluded_packet(c.surface, &box, &rays, &options, any), ALGSURF_E_NO_MEMORY);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(states[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
-        assert_int_equal(any[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
+        assert_int_equal(states[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
+        assert_int_equal(any[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
     }
     options.max_memory = (size_t)1 << 24;
     assert_ok(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to));
-    assert_int_equal(states[1], ALGSURF_HIT);
+    assert_int_equal(states[1], ALGSURF_STATE_HIT);
     done();
     begin("limit of memory");
     set_equation("(x^10 + y^10 + z^10 - 1)^2");

@@ -77,7 +77,7 @@ static int check_ray(const algsurf_surface *surface, const algsurf_extent *exten
         algsurf_intersect_all(surface, extent, &ray, NULL, hits, ALGSURF_MAX_DEGREE, &count);
     assert_true(status >= 0);
     for (int k = 0; k < count; k++) {
-        if (hits[k].state != ALGSURF_HIT || holds(b, hits[k].position, 1e-12)) continue;
+        if (hits[k].state != ALGSURF_STATE_HIT || holds(b, hits[k].position, 1e-12)) continue;
         fail_msg("seed %llu: a hit at %a %a %a is outside of the box", (unsigned long long)seed,
                  hits[k].position[0], hits[k].position[1], hits[k].position[2]);
     }

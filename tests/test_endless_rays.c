@@ -66,7 +66,7 @@ static int judge(const algsurf_intersect_options *planes) {
     intersect_judge(&c, planes, &exact);
     if (planes) bounded.planes = planes->planes, bounded.plane_count = planes->plane_count;
     intersect_ask(&c, NULL, &bounded, &answer);
-    if (answer.first.state == ALGSURF_UNDECIDED) return 0;
+    if (answer.first.state == ALGSURF_STATE_UNDECIDED) return 0;
     if (answer.first.state != exact.first.state || answer.first.side != exact.first.side)
         intersect_fail("doubles alone say something else", &c, &answer);
     return 1;
@@ -225,7 +225,7 @@ TEST(packets) {
                 assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h));
                 assert_ok(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any));
                 int same = states[i] == h.state && sides[i] == h.side && occluded[i] == any &&
-                           (any == ALGSURF_HIT) == (h.state == ALGSURF_HIT);
+                           (any == ALGSURF_STATE_HIT) == (h.state == ALGSURF_STATE_HIT);
                 const double one[3] = {h.t, h.t_lo, h.t_hi};
                 for (int k = 0; k < 3; k++)
                     same &= intersect_same(t[k][i], one[k]) && intersect_same(x[k][i], h.position[k]) &&

@@ -47,7 +47,7 @@ static void judge(const algsurf_surface *surface, int e, const algsurf_camera *c
             assert_ok(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray));
             assert_ok(algsurf_intersect_first(surface, NULL, &ray, options, &hit));
             if (p->states[y * W + x] != hit.state) fail_pixel("another state", e, camera, x, y, t, &hit);
-            if (hit.state != ALGSURF_HIT) continue;
+            if (hit.state != ALGSURF_STATE_HIT) continue;
             double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
                                 hit.normal[2] * ray.direction[2]);
             double room = fmin(1e-8 / slant, 1e-5);

@@ -421,7 +421,7 @@ ON_SURFACE(algsurf_intersect_all) {
 
 ON_SURFACE(algsurf_hit_leave) {
     algsurf_ray ray = ray_made();
-    algsurf_hit hit = {.state = ALGSURF_HIT, .position = {1, 2, 3}, .normal = {0, 0, 1}};
+    algsurf_hit hit = {.state = ALGSURF_STATE_HIT, .position = {1, 2, 3}, .normal = {0, 0, 1}};
     double start[3] = {0, 0, 0};
     STATUS_IN_HOST(algsurf_hit_leave(surface, &ray, &hit, 1, start));
     WRITTEN(start);
@@ -431,7 +431,7 @@ ON_SURFACE(algsurf_occluded) {
     algsurf_extent extent = extent_made(ALGSURF_EXTENT_SPHERE);
     algsurf_ray ray = ray_made();
     algsurf_intersect_options options = options_made();
-    int state = ALGSURF_MISS;
+    int state = ALGSURF_STATE_MISS;
     STATUS_IN_HOST(algsurf_occluded(surface, &extent, &ray, &options, &state));
     WRITTEN(state);
 }
@@ -461,8 +461,13 @@ ON_SURFACE(algsurf_intersect_packet) {
     algsurf_intersect_options options = options_made();
     unsigned char state[RAYS] = {0};
     double t[9][RAYS] = {{0}};
-    algsurf_hit_packet hits = {sizeof hits,        state, t[0], t[1], t[2], {t[3], t[4], t[5]},
-                               {t[6], t[7], t[8]}, NULL,  NULL};
+    algsurf_hit_packet hits = {.size = sizeof hits,
+                               .state = state,
+                               .t = t[0],
+                               .t_lo = t[1],
+                               .t_hi = t[2],
+                               .position = {t[3], t[4], t[5]},
+                               .normal = {t[6], t[7], t[8]}};
     rays packet;
     rays_made(&packet);
     STATUS_IN_HOST(algsurf_intersect_packet(surface, &extent, &packet.packet, &options, &hits));

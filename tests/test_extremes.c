@@ -39,7 +39,7 @@ static void roots_inside(const scene *s, const algsurf_ray *ray, const exact_lin
         double room = ROOM * 0x1p-53 * fabs(mpf_get_d(out));
         exact_answer a = exact_first_roots(line, &s->extent, ray, room, 2);
         for (int i = 0; i < a.count && i < 2; i++) found->known &= a.is_sure[i] && !a.clustered;
-        if (a.count > 0) found->first = (truth){ALGSURF_HIT, a.t[0], a.rest[0], 0};
+        if (a.count > 0) found->first = (truth){ALGSURF_STATE_HIT, a.t[0], a.rest[0], 0};
         if (a.count > 1) found->next = a.t[1];
     }
     mpf_clears(in, out, NULL);
@@ -80,7 +80,7 @@ static void roots_without_end(const exact_line *line, exact_truth *found) {
     int count = exact_count_roots(&chain, 0, INFINITY);
     if (count > 0) {
         double root = far_root(&chain, 0);
-        found->first = (truth){ALGSURF_HIT, root, exact_rest(line, root), 0};
+        found->first = (truth){ALGSURF_STATE_HIT, root, exact_rest(line, root), 0};
         if (count > 1) found->next = far_root(&chain, 1);
     }
     exact_sturm_clear(&chain);
@@ -118,14 +118,14 @@ static double exact_unit(const scene *s, const algsurf_ray *ray, const exact_lin
 }
 
 static exact_truth find_exact(const scene *s, size_t i) {
-    exact_truth found = {1, {ALGSURF_MISS, 0, 0, 0}, INFINITY};
+    exact_truth found = {1, {ALGSURF_STATE_MISS, 0, 0, 0}, INFINITY};
     algsurf_ray ray = scene_ray(s, i);
     exact_line line = exact_line_of(s->terms, (int)s->term_count, algsurf_surface_degree(s->surface), &ray);
     if (s->extent.kind == ALGSURF_EXTENT_ALL)
         roots_without_end(&line, &found);
     else
         roots_inside(s, &ray, &line, &found);
-    if (found.first.state == ALGSURF_HIT) found.first.unit = exact_unit(s, &ray, &line, &found.first);
+    if (found.first.state == ALGSURF_STATE_HIT) found.first.unit = exact_unit(s, &ray, &line, &found.first);
     exact_line_clear(&line);
     return found;
 }
@@ -166,7 +166,7 @@ static void judge_answer(const stage *at, size_t i, const exact_truth *exact, ma
     verdict v = judge(&exact->first, a, i);
     t->undecided[m] += v.undecided;
     if (v.wrong) refuse(at, i, manner_names[m], v.wrong, exact->first.root);
-    if (a->state[i] != ALGSURF_HIT) return;
+    if (a->state[i] != ALGSURF_STATE_HIT) return;
     if (exact->next < a->t_hi[i] * (1 - end_error) && nextafter(exact->first.root, INFINITY) < exact->next)
         refuse(at, i, manner_names[m], "the interval holds the second root too", exact->next);
     if (v.error > most_error) refuse(at, i, manner_names[m], "far from the root", v.error);
@@ -176,11 +176,12 @@ static void judge_answer(const stage *at, size_t i, const exact_truth *exact, ma
 static void judge_belief(const stage *at, size_t i, const exact_truth *exact, tally *t) {
     truth believed = scene_truth(&at->scene, i, &at->answers[MANNER_CERTIFIED]);
     const truth *first = &exact->first;
-    if (at->scene.expected[i] != ALGSURF_UNDECIDED && at->scene.expected[i] != first->state)
+    if (at->scene.expected[i] != ALGSURF_STATE_UNDECIDED && at->scene.expected[i] != first->state)
         refuse(at, i, "scene", "not what was expected", first->root);
-    if (believed.state == ALGSURF_UNDECIDED) return;
+    if (believed.state == ALGSURF_STATE_UNDECIDED) return;
     if (believed.state != first->state) refuse(at, i, "benchmark", "believes another state", first->root);
-    if (believed.state != ALGSURF_HIT || at->answers[MANNER_CERTIFIED].state[i] != ALGSURF_HIT) return;
+    if (believed.state != ALGSURF_STATE_HIT || at->answers[MANNER_CERTIFIED].state[i] != ALGSURF_STATE_HIT)
+        return;
     double off = fabs((believed.root - first->root) + (believed.rest - first->rest)) / first->unit;
     t->unmeasured += !(off < 0.1) || !(fabs(believed.unit / first->unit - 1) < 0.1);
 }
@@ -191,7 +192,7 @@ static void judge_scene(stage *at, int most_error, tally *t) {
         exact_truth exact = find_exact(&at->scene, i);
         t->asked++;
         if (!exact.known) continue;
-        t->judged++, t->hits += exact.first.state == ALGSURF_HIT;
+        t->judged++, t->hits += exact.first.state == ALGSURF_STATE_HIT;
         for (int m = 0; m < MANNERS; m++) judge_answer(at, i, &exact, (manner)m, most_error, t);
         judge_belief(at, i, &exact, t);
     }

@@ -144,13 +144,10 @@ static void solve(answers *a) {
                              {direction[0][3], direction[1][3], direction[2][3]},
                              0x1p-1060,
                              100};
-    const algsurf_ray_packet rays = {sizeof rays,
-                                     RAYS,
-                                     {origin[0], origin[1], origin[2]},
-                                     {direction[0], direction[1], direction[2]},
-                                     NULL,
-                                     NULL,
-                                     NULL};
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = RAYS,
+                                     .origin = {origin[0], origin[1], origin[2]},
+                                     .direction = {direction[0], direction[1], direction[2]}};
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->packet_t, .t_lo = a->packet_lo, .t_hi = a->packet_hi};
     const algsurf_complex_space space = {sizeof space, {0, 0.3}, {1, 0x1p-1060}};
@@ -195,7 +192,7 @@ static answers *usual(void) {
         assert_in_range(hits, W * H / 8, W * H - 1);
         assert_memory_equal(a->pixels[i][0], a->pixels[i][1], sizeof a->pixels[i][0]);
     }
-    assert_int_equal(a->first.state, ALGSURF_HIT);
+    assert_int_equal(a->first.state, ALGSURF_STATE_HIT);
     assert_int_equal(a->root_count, DEGREE);
     return a;
 }

@@ -20,7 +20,7 @@ static void expect(int count, const double *t) {
     intersect_judge(&c, NULL, &answer);
     if (answer.count != count) intersect_fail("number of hits", &c, &answer);
     for (int i = 0; i < count; i++)
-        if (answer.all[i].state != ALGSURF_HIT ||
+        if (answer.all[i].state != ALGSURF_STATE_HIT ||
             !(fabs(answer.all[i].t - t[i]) <= 4e-16 * fmax(1, fabs(t[i]))))
             intersect_fail("t", &c, &answer);
 }
@@ -89,12 +89,12 @@ TEST(test_far_eye) {
     set_ray(0.75, 0.5, -4, 0.125, 0, 1, 0, INFINITY);
     intersect_judge(&c, NULL, &answer);
     algsurf_hit near_hit = answer.first;
-    assert_int_equal(near_hit.state, ALGSURF_HIT);
+    assert_int_equal(near_hit.state, ALGSURF_STATE_HIT);
     for (int k = 10; k <= 26; k += 4) { /* the same line, exactly, from 2^k further away */
         double back = ldexp(1, k);
         set_ray(0.75 - 0.125 * back, 0.5, -4 - back, 0.125, 0, 1, 0, INFINITY);
         intersect_judge(&c, NULL, &answer);
-        assert_int_equal(answer.first.state, ALGSURF_HIT);
+        assert_int_equal(answer.first.state, ALGSURF_STATE_HIT);
         for (int i = 0; i < 3; i++) {
             assert_true(fabs(answer.first.position[i] - near_hit.position[i]) < 1e-14);
             assert_true(fabs(answer.first.normal[i] - near_hit.normal[i]) < 1e-13);
@@ -120,7 +120,7 @@ TEST(test_scales) {
         double u = ldexp(1, k);
         set_ray(0.75 * u, 0.5 * u, -4 * u, 0.125 * u, 0, u, 0, 10);
         intersect_judge(&c, NULL, &answer);
-        assert_int_equal(answer.first.state, ALGSURF_HIT);
+        assert_int_equal(answer.first.state, ALGSURF_STATE_HIT);
         if (k > -160) assert_true(answer.first.t == t);
         t = answer.first.t;
         done();
@@ -168,7 +168,7 @@ TEST(test_singular_normals) {
         c.ray = rows[i].ray;
         intersect_judge(&c, NULL, &answer);
         const algsurf_hit *hit = &answer.first;
-        assert_int_equal(hit->state, ALGSURF_HIT);
+        assert_int_equal(hit->state, ALGSURF_STATE_HIT);
         for (int a = 0; a < 3; a++)
             if (!(fabs(hit->normal[a] - rows[i].normal[a]) < 1e-5)) intersect_fail("normal", &c, &answer);
         done();
@@ -266,18 +266,18 @@ TEST(test_ends_of_the_range) {
     } cases[] = {
         /* y at the hit is larger than its square's root may be, or than a double; P overflows, and its
            gradient */
-        {"y - 1e300", {{-4, 0, 0}, {1, 1e300, 0}, 1, 1}, ALGSURF_HIT, {-3, 1e300, 0}},
-        {"y^2", {{-4, 0, 0}, {1, 1e300, 0}, 1, 1}, ALGSURF_MISS, {0, 0, 0}},
-        {"y^2", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_MISS, {0, 0, 0}},
-        {"z", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_HIT, {1e200, -DBL_MAX, 0}},
-        {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, 0, 0}, 0, 1}, ALGSURF_MISS, {0, 0, 0}},
-        {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, -12, 0}, 0, 1}, ALGSURF_HIT, {1e300, 0, 0}},
+        {"y - 1e300", {{-4, 0, 0}, {1, 1e300, 0}, 1, 1}, ALGSURF_STATE_HIT, {-3, 1e300, 0}},
+        {"y^2", {{-4, 0, 0}, {1, 1e300, 0}, 1, 1}, ALGSURF_STATE_MISS, {0, 0, 0}},
+        {"y^2", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_STATE_MISS, {0, 0, 0}},
+        {"z", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_STATE_HIT, {1e200, -DBL_MAX, 0}},
+        {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, 0, 0}, 0, 1}, ALGSURF_STATE_MISS, {0, 0, 0}},
+        {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, -12, 0}, 0, 1}, ALGSURF_STATE_HIT, {1e300, 0, 0}},
         /* the root is beyond the largest double */
-        {"y", {{0, 1, 0}, {0, 0x1p-1074, 0}, -INFINITY, INFINITY}, ALGSURF_HIT, {0, 0, 0}},
+        {"y", {{0, 1, 0}, {0, 0x1p-1074, 0}, -INFINITY, INFINITY}, ALGSURF_STATE_HIT, {0, 0, 0}},
         /* an end is the root, and the rest of the ray is below every bound of double */
-        {"2y", {{-4, 0, 0}, {22, 10, 1}, 0, 0x1p-1074}, ALGSURF_HIT, {-4, 0, 0}},
-        {"2y", {{-4, 0, 0}, {22, 10, 1}, -0x1p-1074, 0}, ALGSURF_HIT, {-4, 0, 0}},
-        {"y - 1e-313", {{-4, 0, 0}, {1, 1, 1}, 1e-313, 3e-313}, ALGSURF_HIT, {-4, 1e-313, 1e-313}},
+        {"2y", {{-4, 0, 0}, {22, 10, 1}, 0, 0x1p-1074}, ALGSURF_STATE_HIT, {-4, 0, 0}},
+        {"2y", {{-4, 0, 0}, {22, 10, 1}, -0x1p-1074, 0}, ALGSURF_STATE_HIT, {-4, 0, 0}},
+        {"y - 1e-313", {{-4, 0, 0}, {1, 1, 1}, 1e-313, 3e-313}, ALGSURF_STATE_HIT, {-4, 1e-313, 1e-313}},
     };
     const size_t beyond = 6; /* number of that case */
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -344,7 +344,8 @@ TEST(test_chmutov) {
         set_ray(x, y, -4, 0.125 * y, 0.0625 * x, 1, 2.5, 5.5);
         intersect_judge(&c, NULL, &answer);
         for (int k = 0; k < answer.count; k++) {
-            hits += answer.all[k].state == ALGSURF_HIT, undecided += answer.all[k].state != ALGSURF_HIT;
+            hits += answer.all[k].state == ALGSURF_STATE_HIT,
+                undecided += answer.all[k].state != ALGSURF_STATE_HIT;
         }
     }
     assert_true(hits > 500 && undecided == 0);

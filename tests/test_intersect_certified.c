@@ -49,7 +49,7 @@ TEST(hairs_apart) {
         for (int i = 0; i < ROUNDS; i++, rays++) {
             ray_in_plane(&seed, i % 2 ? 20 : 52);
             intersect_judge(&c, &bounded, &answer);
-            undecided += answer.first.state == ALGSURF_UNDECIDED;
+            undecided += answer.first.state == ALGSURF_STATE_UNDECIDED;
             intersect_judge(&c, NULL, &answer);
         }
         algsurf_surface_free(c.surface);
@@ -166,9 +166,9 @@ TEST(what_becomes_of_undecided) {
     static const struct {
         int as;
         int state;
-    } cases[] = {{ALGSURF_AS_UNDECIDED, ALGSURF_UNDECIDED},
-                 {ALGSURF_AS_HIT, ALGSURF_HIT},
-                 {ALGSURF_AS_MISS, ALGSURF_MISS}};
+    } cases[] = {{ALGSURF_AS_UNDECIDED, ALGSURF_STATE_UNDECIDED},
+                 {ALGSURF_AS_HIT, ALGSURF_STATE_HIT},
+                 {ALGSURF_AS_MISS, ALGSURF_STATE_MISS}};
     intersect_equation(&c, "(3x - 1)^2 - y^2");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -180,7 +180,7 @@ TEST(what_becomes_of_undecided) {
         const char *wrong = intersect_wrong_packet(&c, NULL, &o, &answer);
         const algsurf_hit *h = &answer.first;
         if (h->state != cases[i].state || (int)answer.occluded != cases[i].state) wrong = "state";
-        if (answer.count != (cases[i].state != ALGSURF_MISS)) wrong = "count";
+        if (answer.count != (cases[i].state != ALGSURF_STATE_MISS)) wrong = "count";
         if (answer.count && (answer.all[0].state != cases[i].state || h->reason <= ALGSURF_OK)) wrong = "all";
         if (answer.count && !(h->t_lo <= 1.0 / 3 && 1.0 / 3 <= h->t_hi && h->multiplicity == 0)) wrong = "t";
         if (wrong) intersect_fail(wrong, &c, &answer);
@@ -221,7 +221,7 @@ TEST(touching_rays) {
         intersect_judge(&c, NULL, &answer);
         if (answer.count != rows[i].count) intersect_fail("number of hits", &c, &answer);
         for (int k = 0; k < answer.count; k++)
-            if (answer.all[k].state != ALGSURF_HIT || answer.all[k].t != rows[i].t[k])
+            if (answer.all[k].state != ALGSURF_STATE_HIT || answer.all[k].t != rows[i].t[k])
                 intersect_fail("not decided", &c, &answer);
         algsurf_surface_free(c.surface);
     }

@@ -46,9 +46,9 @@ TEST(test_real_space) {
             algsurf_ray ray = ray_towards(eye, target);
             algsurf_hit real, complex = hit_of(s, &ray, &space);
             assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
-            if (complex.state == ALGSURF_UNDECIDED || real.state == ALGSURF_UNDECIDED) continue;
+            if (complex.state == ALGSURF_STATE_UNDECIDED || real.state == ALGSURF_STATE_UNDECIDED) continue;
             assert_int_equal(complex.state, real.state);
-            if (real.state != ALGSURF_HIT) continue;
+            if (real.state != ALGSURF_STATE_HIT) continue;
             hits++;
             assert_true(fabs(complex.t - real.t) <= 1e-9 * real.t);
             for (int k = 0; k < 3; k++) assert_true(fabs(complex.normal[k] - real.normal[k]) < 1e-6);
@@ -89,15 +89,15 @@ TEST(test_complex_sphere) {
         space.imaginary[0] = m;
         algsurf_hit hit = hit_of(s, &ray, &space);
         double expected = sphere_magnitude(&ray, m, delta);
-        if (hit.state == ALGSURF_UNDECIDED) continue;
-        assert_int_equal(hit.state, isinf(expected) ? ALGSURF_MISS : ALGSURF_HIT);
-        if (hit.state == ALGSURF_HIT) {
+        if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
+        assert_int_equal(hit.state, isinf(expected) ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT);
+        if (hit.state == ALGSURF_STATE_HIT) {
             assert_true(fabs(hit.t - expected) < 1e-12);
             assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && hit.t_hi - hit.t_lo < 1e-10);
             for (int k = 0; k < 3; k++)
                 assert_true(fabs(hit.position[k] - (ray.origin[k] + hit.t * ray.direction[k])) < 1e-12);
         }
-        *(hit.state == ALGSURF_HIT ? &seen : &lost) += 1;
+        *(hit.state == ALGSURF_STATE_HIT ? &seen : &lost) += 1;
     }
     assert_true(seen > 500 && lost > 100);
     algsurf_surface_free(s);
@@ -127,7 +127,8 @@ TEST(test_normal) {
         }
         algsurf_hit middle = hit_of(s, &ray, &space), a = hit_of(s, &left, &space),
                     b = hit_of(s, &right, &space);
-        if (middle.state != ALGSURF_HIT || a.state != ALGSURF_HIT || b.state != ALGSURF_HIT) continue;
+        if (middle.state != ALGSURF_STATE_HIT || a.state != ALGSURF_STATE_HIT || b.state != ALGSURF_STATE_HIT)
+            continue;
         if (fabs(a.t - b.t) > 1e-2) continue; /* another sheet */
         double move = 0, length = 0;
         for (int k = 0; k < 3; k++) {
@@ -158,7 +159,7 @@ TEST(test_start_values) {
         for (int k = 0; k < 4; k++) roots[k].re *= 1.01, roots[k].im *= 0.97;
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL));
         assert_int_equal(cold.state, warm.state);
-        if (cold.state != ALGSURF_HIT) continue;
+        if (cold.state != ALGSURF_STATE_HIT) continue;
         assert_memory_equal(&cold.t, &warm.t, sizeof cold.t);
         assert_memory_equal(cold.normal, warm.normal, sizeof cold.normal);
     }
@@ -172,7 +173,7 @@ TEST(test_far_eye) {
     algsurf_ray ray = ray_towards(eye, target);
     algsurf_hit real, hit = hit_of(s, &ray, &space);
     assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
-    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hit.t - real.t) <= 4e-16 * real.t);
     for (int k = 0; k < 3; k++) assert_true(fabs(hit.position[k] - real.position[k]) < 1e-12);
     algsurf_surface_free(s);
@@ -198,7 +199,7 @@ TEST(test_undecided) {
         algsurf_complex root = {0, 0};
         algsurf_hit hit;
         assert_ok(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root));
-        assert_int_equal(hit.state, ALGSURF_UNDECIDED);
+        assert_int_equal(hit.state, ALGSURF_STATE_UNDECIDED);
         assert_int_equal(hit.reason, cases[i].reason);
         assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && fabs(hit.t - cases[i].t) < 1e-6);
         int shown = cases[i].reason == ALGSURF_UNDECIDED_MULTIPLE;
@@ -220,10 +221,10 @@ TEST(test_beyond_range) {
         algsurf_ray ray;
         int state;
     } cases[] = {
-        {"x^2+y^2+z^2=1", {{1.7e308, 0, 0.25}, {1, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_UNDECIDED},
-        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1000, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_UNDECIDED},
-        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 1, HUGE_VAL}, ALGSURF_MISS},
-        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 0, HUGE_VAL}, ALGSURF_HIT},
+        {"x^2+y^2+z^2=1", {{1.7e308, 0, 0.25}, {1, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_STATE_UNDECIDED},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1000, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_STATE_UNDECIDED},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 1, HUGE_VAL}, ALGSURF_STATE_MISS},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 0, HUGE_VAL}, ALGSURF_STATE_HIT},
     };
     const algsurf_complex_space space = space_of(0, 1);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -231,7 +232,8 @@ TEST(test_beyond_range) {
         algsurf_hit hit;
         assert_ok(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL));
         assert_int_equal(hit.state, cases[i].state);
-        assert_true(isfinite(hit.t) == (hit.state != ALGSURF_MISS) && hit.t_lo <= hit.t && hit.t <= hit.t_hi);
+        assert_true(isfinite(hit.t) == (hit.state != ALGSURF_STATE_MISS) && hit.t_lo <= hit.t &&
+                    hit.t <= hit.t_hi);
         for (int k = 0; k < 3; k++) assert_true(isfinite(hit.position[k]));
         algsurf_surface_free(s);
     }
@@ -252,7 +254,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
     assert_ok(algsurf_surface_from_terms(terms, 1, &s));
     algsurf_hit hit = hit_of(s, &ray, &space);
     algsurf_surface_free(s);
-    if (hit.state != ALGSURF_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
+    if (hit.state != ALGSURF_STATE_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
         exact_print("|t|", size);
         fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: |t| not in [%a, %a]", p->a, p->x, p->d, p->t_max,
                  p->m, p->k, hit.t_lo, hit.t_hi);
@@ -279,16 +281,16 @@ TEST(test_small_imaginary) {
             for (int k = 0; k < (on ? 1 : 2); k++) {
                 const plane p = {factor, place[0], place[1], place[2], k ? 0 : part, k ? part : 0};
                 int without = state_of(&p, on ? 1e-10 : 0, size), with = state_of(&p, pi, size);
-                if (without == ALGSURF_HIT || with == ALGSURF_MISS)
+                if (without == ALGSURF_STATE_HIT || with == ALGSURF_STATE_MISS)
                     fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: %d without the root, %d with it", p.a,
                              p.x, p.d, p.t_max, p.m, p.k, (int)without, (int)with);
                 seen[i / 120][without]++, all[with]++;
             }
         }
     mpq_clears(size, a, NULL);
-    assert_true(seen[0][ALGSURF_MISS] > 4000 && seen[1][ALGSURF_MISS] > 4000);
-    assert_true(seen[2][ALGSURF_MISS] > 8000 && seen[3][ALGSURF_MISS] > 7000);
-    assert_true(all[ALGSURF_HIT] > 25000);
+    assert_true(seen[0][ALGSURF_STATE_MISS] > 4000 && seen[1][ALGSURF_STATE_MISS] > 4000);
+    assert_true(seen[2][ALGSURF_STATE_MISS] > 8000 && seen[3][ALGSURF_STATE_MISS] > 7000);
+    assert_true(all[ALGSURF_STATE_HIT] > 25000);
 }
 
 /* The root 0 is before t_min, even where t_min is 0 in the surface's unit. */
@@ -296,11 +298,11 @@ TEST(test_small_t_min) {
     algsurf_surface *s = surface_of("x^2 + 1024 x");
     const algsurf_complex_space space = space_of(0, 1);
     algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
-    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_HIT);
+    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_STATE_HIT);
     ray.t_min = 0x1p-1074;
-    assert_true(hit_of(s, &ray, &space).state != ALGSURF_HIT);
+    assert_true(hit_of(s, &ray, &space).state != ALGSURF_STATE_HIT);
     ray.t_min = 0x1p-1000;
-    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_MISS);
+    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_STATE_MISS);
     algsurf_surface_free(s);
 }
 
@@ -317,9 +319,10 @@ TEST(test_rivals) {
         assert_ok(algsurf_surface_from_terms(terms, 3, &s));
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         algsurf_surface_free(s);
-        if (hit.state == ALGSURF_UNDECIDED) continue;
+        if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
         decided++;
-        if (hit.state != ALGSURF_HIT || root.re < 0) fail_msg("k = %d: %d, root %a", k, hit.state, root.re);
+        if (hit.state != ALGSURF_STATE_HIT || root.re < 0)
+            fail_msg("k = %d: %d, root %a", k, hit.state, root.re);
     }
     assert_true(decided > 40);
 }
@@ -332,14 +335,14 @@ TEST(test_conjugates) {
     algsurf_complex_space space = space_of(0, 0.5);
     algsurf_complex root;
     algsurf_hit hit = hit_of(s, &ray, &space);
-    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     int decided = 0;
     for (int k = 4; k <= 1074; k++) {
         space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
-        if (hit.state == ALGSURF_UNDECIDED) continue;
+        if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
         decided++;
-        if (hit.state != ALGSURF_HIT || (root.im > 0) != (k % 2))
+        if (hit.state != ALGSURF_STATE_HIT || (root.im > 0) != (k % 2))
             fail_msg("k = %d: state %d, root %a + i %a", k, hit.state, root.re, root.im);
     }
     assert_true(decided > 30);
@@ -356,7 +359,7 @@ TEST(test_edge_of_the_extent) {
     algsurf_hit hit;
     assert_ok(algsurf_surface_from_terms(terms, 2, &s));
     assert_ok(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL));
-    assert_int_equal(hit.state, ALGSURF_MISS);
+    assert_int_equal(hit.state, ALGSURF_STATE_MISS);
     algsurf_surface_free(s);
 }
 

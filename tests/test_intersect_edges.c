@@ -136,7 +136,7 @@ static void judge_complex(const edge_case *e, int round) {
     while (first < PLANES && e->sign[first] < 0) first++;
     assert_ok(
         algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL));
-    if (a.first.state != (first < PLANES ? ALGSURF_HIT : ALGSURF_MISS))
+    if (a.first.state != (first < PLANES ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS))
         refuse(e, &a, "in complex space", round);
     if (first < PLANES && !exact_between(a.first.t_lo, e->root[first], a.first.t_hi))
         refuse(e, &a, "not enclosed in complex space", round);
@@ -218,11 +218,12 @@ TEST(grazing_lines) {
         double height, radius;
         int sphere, box;
     } cases[] = {
-        {1, 1, ALGSURF_HIT, ALGSURF_HIT}, /* touches the sphere at the root; is in a face of the box */
-        {0x1.0000000000001p0, 1, ALGSURF_MISS, ALGSURF_MISS},
-        {0x1.fffffffffffffp-1, 1, ALGSURF_HIT, ALGSURF_HIT},
-        {1, 0x1.0000000000001p0, ALGSURF_HIT, ALGSURF_HIT},
-        {1, 0x1.fffffffffffffp-1, ALGSURF_MISS, ALGSURF_MISS},
+        {1, 1, ALGSURF_STATE_HIT,
+         ALGSURF_STATE_HIT}, /* touches the sphere at the root; is in a face of the box */
+        {0x1.0000000000001p0, 1, ALGSURF_STATE_MISS, ALGSURF_STATE_MISS},
+        {0x1.fffffffffffffp-1, 1, ALGSURF_STATE_HIT, ALGSURF_STATE_HIT},
+        {1, 0x1.0000000000001p0, ALGSURF_STATE_HIT, ALGSURF_STATE_HIT},
+        {1, 0x1.fffffffffffffp-1, ALGSURF_STATE_MISS, ALGSURF_STATE_MISS},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int kind = ALGSURF_EXTENT_SPHERE; kind <= ALGSURF_EXTENT_BOX; kind++) {
@@ -234,7 +235,7 @@ TEST(grazing_lines) {
             intersect_equation(&c, "x + x^3");
             c.ray = (algsurf_ray){{-4, 0, cases[i].height}, {1, 0, 0}, 0, INFINITY};
             intersect_judge_in(&c, &extent, NULL, &a);
-            if (a.first.state != wanted || a.count != (wanted != ALGSURF_MISS))
+            if (a.first.state != wanted || a.count != (wanted != ALGSURF_STATE_MISS))
                 intersect_fail("grazing", &c, &a);
             algsurf_surface_free(c.surface);
         }
@@ -302,7 +303,7 @@ TEST(a_long_box) {
     assert_ok(algsurf_surface_with_error(exact, 1e-10, &c.surface));
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_ask(&c, &extent, NULL, &a);
-    if (a.first.state != ALGSURF_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
+    if (a.first.state != ALGSURF_STATE_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
     algsurf_surface_free(c.surface);
     algsurf_surface_free(exact);
 }
@@ -389,9 +390,9 @@ static int root_of(const edge_case *e, const algsurf_hit *h) {
 
 /* What is told of the first hit: a root in the extent, and the first. */
 static const char *judge_first(const edge_case *e, const algsurf_hit *h) {
-    if (h->state == ALGSURF_UNDECIDED) return NULL;
-    int told = h->state == ALGSURF_HIT ? root_of(e, h) : PLANES;
-    if (h->state == ALGSURF_HIT && told == PLANES) return "no root is there";
+    if (h->state == ALGSURF_STATE_UNDECIDED) return NULL;
+    int told = h->state == ALGSURF_STATE_HIT ? root_of(e, h) : PLANES;
+    if (h->state == ALGSURF_STATE_HIT && told == PLANES) return "no root is there";
     for (int i = 0; i < told; i++)
         if (e->sign[i] >= 0) return "a root in the extent is missing";
     return told < PLANES && e->sign[told] < 0 ? "a root outside of the extent" : NULL;
@@ -399,7 +400,7 @@ static const char *judge_first(const edge_case *e, const algsurf_hit *h) {
 
 /* Roots just inside, just outside, and on the extent's surface. */
 static void judge_bounded(const edge_case *e, int round, int *undecided) {
-    static const int becomes[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
+    static const int becomes[] = {ALGSURF_STATE_UNDECIDED, ALGSURF_STATE_HIT, ALGSURF_STATE_MISS};
     intersect_answer report, a;
     for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
         const algsurf_intersect_options how = {
@@ -408,14 +409,14 @@ static void judge_bounded(const edge_case *e, int round, int *undecided) {
         if (as == ALGSURF_AS_UNDECIDED) report = a;
         const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);
         if (!wrong && as == ALGSURF_AS_UNDECIDED) wrong = judge_first(e, &a.first);
-        int open = report.first.state == ALGSURF_UNDECIDED;
+        int open = report.first.state == ALGSURF_STATE_UNDECIDED;
         if (a.first.state != (open ? becomes[as] : report.first.state))
             wrong = "what becomes of the undecided";
-        open = report.occluded == ALGSURF_UNDECIDED;
+        open = report.occluded == ALGSURF_STATE_UNDECIDED;
         if ((int)a.occluded != (open ? becomes[as] : (int)report.occluded)) wrong = "occluded, undecided";
         if (wrong) refuse(e, &a, wrong, round);
     }
-    *undecided += report.first.state == ALGSURF_UNDECIDED;
+    *undecided += report.first.state == ALGSURF_STATE_UNDECIDED;
 }
 
 TEST(undecided_at_the_edge) {

@@ -67,7 +67,7 @@ static double try_tolerances(const catalogue_entry *entry, double root) {
             intersect_ask(&c, &entry->extent, &options, &answer);
             double error = fabs(answer.first.t - root), most = promised(root, options.absolute_tolerance);
             if (k == 0) seen = fmax(seen, error);
-            if (answer.first.state == ALGSURF_HIT && error <= most) continue;
+            if (answer.first.state == ALGSURF_STATE_HIT && error <= most) continue;
             fprintf(stderr, "%s, tier %d, method %d, tolerance %g: at %a, exact %a, off by %g, promised %g\n",
                     entry->name, options.tier, options.method, options.absolute_tolerance, answer.first.t,
                     root, error, most);
@@ -97,7 +97,7 @@ TEST(test_tolerance_and_rounding) {
             assert_ok(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray));
             assert_ok(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets));
             assert_ok(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known));
-            if (!meets || known.state != ALGSURF_HIT) continue;
+            if (!meets || known.state != ALGSURF_STATE_HIT) continue;
             exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
             double root = exact_root(&s, known.t_lo, known.t_hi, 0);
             seen = fmax(seen, try_tolerances(entry, root));
@@ -128,7 +128,8 @@ TEST(test_methods_and_tolerances) {
                     assert_null(intersect_agree(&answer));
                     for (int h = 0; h < answer.count; h++) {
                         const algsurf_hit *hit = answer.all + h;
-                        if (hit->state != ALGSURF_HIT || exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1)
+                        if (hit->state != ALGSURF_STATE_HIT ||
+                            exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1)
                             continue;
                         double root = exact_root(&s, hit->t_lo, hit->t_hi, 0), error = fabs(hit->t - root);
                         /* Regula falsi ends when its steps are short. */

@@ -26,7 +26,7 @@ typedef struct packet_case {
     unsigned char state[MOST], occluded[MOST];
     double t[MOST], t_lo[MOST], t_hi[MOST], position[3][MOST], normal[3][MOST];
     int multiplicity[MOST];
-    signed char side[MOST];
+    signed char side[MOST], reason[MOST];
 } packet_case;
 
 static packet_case p, q;
@@ -69,6 +69,7 @@ static algsurf_status ask(packet_case *c, int first, int count, const algsurf_ex
     if (c->masked) rays.active = c->active + first;
     hits.t = c->t + first, hits.t_lo = c->t_lo + first, hits.t_hi = c->t_hi + first;
     hits.multiplicity = c->multiplicity + first, hits.side = c->side + first;
+    hits.reason = c->reason + first;
     for (int k = 0; k < 3; k++) {
         rays.origin[k] = c->origin[k] + first;
         rays.direction[k] = c->direction[k] + first;
@@ -131,7 +132,7 @@ static void judge_single(const packet_case *c, int i, const algsurf_extent *exte
     int occluded;
     assert_ok(algsurf_intersect_first(surface, extent, &ray, options, &single));
     assert_ok(algsurf_occluded(surface, extent, &ray, options, &occluded));
-    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNDECIDED))
+    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_STATE_UNDECIDED))
         packet_fail("a reason to be undecided", c, i, &single);
     single.reason = ALGSURF_OK; /* packets do not tell */
     if (memcmp(&hit, &single, sizeof hit) != 0 || c->occluded[i] != occluded)
@@ -143,12 +144,12 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     const algsurf_i_region region = {extent, NULL, 0};
     algsurf_i_ray_root root;
     int count = 0;
-    algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
+    algsurf_hit hit = {.state = ALGSURF_STATE_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
     assert_ok(algsurf_i_exact_roots(surface, &region, ray,
                                     &(algsurf_i_wanted){ALGSURF_WANT_FIRST, .limit = ALGSURF_DEFAULT_MEMORY},
                                     &root, &count, &hit.side));
     if (count == 0) return hit;
-    hit = (algsurf_hit){.state = ALGSURF_HIT,
+    hit = (algsurf_hit){.state = ALGSURF_STATE_HIT,
                         .multiplicity = root.multiplicity,
                         .side = root.side,
                         .t = root.t,
@@ -168,9 +169,9 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
     if (c->occluded[i] != single.state) packet_fail("occluded", c, i, &single);
     if (hit.multiplicity != single.multiplicity) packet_fail("multiplicity", c, i, &single);
     if (hit.side != single.side) packet_fail("side", c, i, &single);
-    tallied.rays++, tallied.hits += hit.state == ALGSURF_HIT;
-    tallied.misses += hit.state == ALGSURF_MISS, tallied.multiple += hit.multiplicity > 1;
-    if (hit.state != ALGSURF_HIT) {
+    tallied.rays++, tallied.hits += hit.state == ALGSURF_STATE_HIT;
+    tallied.misses += hit.state == ALGSURF_STATE_MISS, tallied.multiple += hit.multiplicity > 1;
+    if (hit.state != ALGSURF_STATE_HIT) {
         if (memcmp(&hit, &single, sizeof hit) != 0) packet_fail("a miss with numbers", c, i, &single);
         return;
     }
@@ -220,7 +221,7 @@ static int find_hit(uint64_t *seed, const algsurf_extent *e, double distance, al
                     algsurf_hit *hit) {
     *ray = ray_from(seed, e, distance);
     assert_ok(algsurf_intersect_first(surface, e, ray, NULL, hit));
-    return hit->state == ALGSURF_HIT;
+    return hit->state == ALGSURF_STATE_HIT;
 }
 
 /* Past the hit at a distance, across its normal, from `back` lengths of the direction away. */
@@ -442,7 +443,7 @@ static int judge_exactly(int i, double *error) {
         if (!wrong) wrong = intersect_truth(&c, &s, &answer);
         if (!wrong) wrong = intersect_agree(&answer);
         if (wrong) intersect_fail(wrong, &c, &answer);
-        *error = hit.state == ALGSURF_HIT ? intersect_error(&c, &line, &s, &hit, NULL) : 0;
+        *error = hit.state == ALGSURF_STATE_HIT ? intersect_error(&c, &line, &s, &hit, NULL) : 0;
         if (*error > 1000) intersect_fail("far from the root", &c, &answer);
     }
     exact_sturm_clear(&s), exact_line_clear(&line);
@@ -471,8 +472,8 @@ TEST(test_exact) {
         for (int i = 0; i < MOST; i++) {
             double error = 0;
             if (!judge_exactly(i, &error)) continue;
-            judged++, hits += p.state[i] == ALGSURF_HIT;
-            precise += p.state[i] == ALGSURF_HIT && error < 8;
+            judged++, hits += p.state[i] == ALGSURF_STATE_HIT;
+            precise += p.state[i] == ALGSURF_STATE_HIT && error < 8;
         }
         algsurf_surface_free(c.surface);
     }
@@ -591,6 +592,7 @@ TEST(test_counts_masks_splits) {
                     wanted.normal[k][i] = whole.normal[k][i];
                 }
                 wanted.multiplicity[i] = whole.multiplicity[i], wanted.side[i] = whole.side[i];
+                wanted.reason[i] = whole.reason[i];
             }
             if (masked) /* what is not active may be anything */
                 for (int i = 0; i < count; i++)
@@ -644,6 +646,125 @@ static void refuse(algsurf_status expected, const algsurf_extent *extent,
     assert_memory_equal(&p, &before, sizeof p);
 }
 
+/* A bad ray is refused by itself, as by the single call; all others have the bits that they have without it.
+ */
+static void refuse_ray(algsurf_status expected, int bad, const packet_case *answered,
+                       const algsurf_extent *extent) {
+    const packet_case asked = p;
+    packet_case wanted = *answered;
+    algsurf_ray ray = ray_at(&p, bad);
+    algsurf_hit hit;
+    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, NULL, &hit), expected);
+    assert_int_equal(ask(&p, 0, MOST, extent, NULL), expected);
+    memcpy(wanted.origin, asked.origin, sizeof p.origin);
+    memcpy(wanted.direction, asked.direction, sizeof p.direction);
+    memcpy(wanted.t_min, asked.t_min, sizeof p.t_min), memcpy(wanted.t_max, asked.t_max, sizeof p.t_max);
+    wanted.state[bad] = wanted.occluded[bad] = ALGSURF_STATE_REFUSED;
+    wanted.reason[bad] = (signed char)expected;
+    wanted.t[bad] = wanted.t_lo[bad] = wanted.t_hi[bad] = INFINITY;
+    wanted.multiplicity[bad] = wanted.side[bad] = 0;
+    for (int k = 0; k < 3; k++) wanted.position[k][bad] = wanted.normal[k][bad] = 0;
+    assert_memory_equal(&p, &wanted, sizeof p);
+}
+
+TEST(test_bad_rays) {
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    const packet_case good = p;
+    static packet_case answered;
+    assert_ok(ask(&p, 0, MOST, extent, NULL));
+    answered = p;
+    for (int i = 0; i < MOST; i += 15) {
+        p = good, p.origin[1][i] = NAN, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
+        p = good, p.direction[2][i] = INFINITY, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
+        p = good, p.t_min[i] = NAN, refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
+        p = good, p.t_max[i] = NAN, refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
+        p = good, p.direction[0][i] = p.direction[1][i] = p.direction[2][i] = 0;
+        refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
+    }
+    /* the first one counts, of those that are active */
+    p = good, p.t_max[20] = NAN, p.origin[0][21] = NAN;
+    assert_int_equal(ask(&p, 0, MOST, extent, NULL), ALGSURF_E_ARGUMENT);
+    assert_true(p.reason[20] == ALGSURF_E_ARGUMENT && p.reason[21] == ALGSURF_E_NOT_FINITE);
+    p.masked = 1, p.active[20] = 0, p.active[21] = 1;
+    assert_int_equal(ask(&p, 0, MOST, extent, NULL), ALGSURF_E_NOT_FINITE);
+    algsurf_surface_free(s);
+}
+
+/* Arrays of structs, of doubles and of floats, have the bits of arrays of doubles. */
+TEST(test_layouts) {
+    typedef struct in_doubles {
+        double origin[3], t_min, direction[3], t_max;
+        int id;
+    } in_doubles;
+    typedef struct in_floats {
+        float origin[3], t_min, direction[3], t_max, other;
+    } in_floats;
+    static in_doubles a[MOST];
+    static in_floats f[MOST];
+    static packet_case got;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    for (int i = 0; i < MOST; i++)
+        for (int k = 0; k < 3; k++) {
+            f[i].origin[k] = (float)p.origin[k][i], f[i].direction[k] = (float)p.direction[k][i];
+            f[i].t_min = (float)p.t_min[i], f[i].t_max = (float)p.t_max[i], f[i].other = NAN;
+            a[i].origin[k] = p.origin[k][i] = f[i].origin[k];
+            a[i].direction[k] = p.direction[k][i] = f[i].direction[k];
+            a[i].t_min = p.t_min[i] = f[i].t_min, a[i].t_max = p.t_max[i] = f[i].t_max, a[i].id = -1;
+        }
+    for (int floats = 0; floats < 2; floats++) {
+        got = p;
+        algsurf_hit_packet hits = {.size = sizeof hits, .state = got.state, .t = got.t, .t_hi = got.t_hi};
+        algsurf_ray_packet rays = {.size = sizeof rays, .count = MOST};
+        rays.step = (ptrdiff_t)(floats ? sizeof *f / sizeof(float) : sizeof *a / sizeof(double));
+        for (int k = 0; k < 3; k++) {
+            hits.normal[k] = got.normal[k];
+            if (floats)
+                rays.float_origin[k] = f->origin + k, rays.float_direction[k] = f->direction + k;
+            else
+                rays.origin[k] = a->origin + k, rays.direction[k] = a->direction + k;
+        }
+        if (floats)
+            rays.float_t_min = &f->t_min, rays.float_t_max = &f->t_max;
+        else
+            rays.t_min = &a->t_min, rays.t_max = &a->t_max;
+        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
+        assert_ok(algsurf_occluded_packet(s, extent, &rays, NULL, got.occluded));
+        assert_ok(ask(&p, 0, MOST, extent, NULL));
+        assert_memory_equal(got.state, p.state, sizeof p.state);
+        assert_memory_equal(got.occluded, p.occluded, sizeof p.occluded);
+        assert_memory_equal(got.t, p.t, sizeof p.t);
+        assert_memory_equal(got.t_hi, p.t_hi, sizeof p.t_hi);
+        assert_memory_equal(got.normal, p.normal, sizeof p.normal);
+        /* backwards; and not both kinds at once */
+        const double *doubles = p.t_min;
+        rays.step = -rays.step;
+        for (int k = 0; k < 3; k++)
+            if (floats)
+                rays.float_origin[k] = f[MOST - 1].origin + k,
+                rays.float_direction[k] = f[MOST - 1].direction + k;
+            else
+                rays.origin[k] = a[MOST - 1].origin + k, rays.direction[k] = a[MOST - 1].direction + k;
+        if (floats)
+            rays.float_t_min = &f[MOST - 1].t_min, rays.float_t_max = &f[MOST - 1].t_max;
+        else
+            rays.t_min = &a[MOST - 1].t_min, rays.t_max = &a[MOST - 1].t_max;
+        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
+        for (int i = 0; i < MOST; i++) assert_memory_equal(got.t + i, p.t + MOST - 1 - i, sizeof *p.t);
+        if (floats)
+            rays.t_min = doubles;
+        else
+            rays.float_direction[2] = f->direction;
+        assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    }
+    algsurf_surface_free(s);
+}
+
 TEST(test_errors) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
@@ -651,18 +772,6 @@ TEST(test_errors) {
     algsurf_extent bad = *extent;
     algsurf_intersect_options options = {.size = sizeof options};
     fill(&seed, extent);
-    packet_case good = p;
-    for (int i = 0; i < MOST; i += 16) {
-        p = good, p.origin[1][i] = NAN, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
-        p = good, p.direction[2][i] = INFINITY, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
-        p = good, p.t_min[i] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
-        p = good, p.t_max[i] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
-        p = good, p.direction[0][i] = p.direction[1][i] = p.direction[2][i] = 0;
-        refuse(ALGSURF_E_ARGUMENT, extent, NULL);
-    }
-    p = good, p.t_max[20] = NAN, p.origin[0][21] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
-    p.masked = 1, p.active[20] = 0, p.active[21] = 1, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
-    p = good;
     bad.size[0] = 0, refuse(ALGSURF_E_ARGUMENT, &bad, NULL);
     options.kernel = "avx1024", refuse(ALGSURF_E_ARGUMENT, extent, &options);
     options.kernel = "", refuse(ALGSURF_E_ARGUMENT, extent, &options);
@@ -741,7 +850,7 @@ TEST(test_options) {
         algsurf_hit exact;
         assert_ok(algsurf_intersect_first(s, extent, &ray, NULL, &exact));
         assert_int_equal(p.state[i], exact.state);
-        if (p.state[i] == ALGSURF_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
+        if (p.state[i] == ALGSURF_STATE_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
     }
     algsurf_surface_free(s);
 }
@@ -801,7 +910,7 @@ TEST(test_lengths) {
                 algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
                 scaled.t = ldexp(scaled.t, lengths[k]);
                 scaled.t_lo = ldexp(scaled.t_lo, lengths[k]), scaled.t_hi = ldexp(scaled.t_hi, lengths[k]);
-                if (plain.state != ALGSURF_UNDECIDED && memcmp(&plain, &scaled, sizeof plain) != 0)
+                if (plain.state != ALGSURF_STATE_UNDECIDED && memcmp(&plain, &scaled, sizeof plain) != 0)
                     packet_fail("another length", &q, i, &plain);
             }
         }
@@ -849,7 +958,7 @@ TEST(test_subnormal) {
     algsurf_hit hit;
     assert_ok(algsurf_surface_from_terms(terms, 2, &s));
     assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
-    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
     algsurf_surface_free(s);
 }

@@ -52,8 +52,9 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
         random_ray(&seed, bits);
         if (in_the_surface()) continue;
         intersect_judge(&c, NULL, &answer);
-        done++, certain += answer.first.state != ALGSURF_UNDECIDED, hits += answer.first.state == ALGSURF_HIT;
-        if (answer.first.state == ALGSURF_HIT && i % 8 == 0) {
+        done++, certain += answer.first.state != ALGSURF_STATE_UNDECIDED,
+            hits += answer.first.state == ALGSURF_STATE_HIT;
+        if (answer.first.state == ALGSURF_STATE_HIT && i % 8 == 0) {
             exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
             exact_sturm s = exact_sturm_of(line.c, c.degree);
             double width = HUGE_VAL, error = intersect_error(&c, &line, &s, &answer.first, &width);

@@ -183,7 +183,7 @@ static int hits_of_row(const stage *s, const algsurf_extent *extent, int y, int 
         double from_centre[3];
         assert_ok(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
         assert_true(algsurf_intersect_first(s->surface, extent, &ray, NULL, hit) >= 0);
-        if (hit->state != ALGSURF_HIT || fabs(algsurf_dot(hit->normal, ray.direction)) < 0.05) continue;
+        if (hit->state != ALGSURF_STATE_HIT || fabs(algsurf_dot(hit->normal, ray.direction)) < 0.05) continue;
         for (int i = 0; i < 3; i++)
             from_centre[i] = ldexp(hit->position[i], -s->surface->unit) - s->view.centre[i];
         depth[count] = algsurf_dot(from_centre, s->camera.forward) / s->view.size;

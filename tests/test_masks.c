@@ -123,7 +123,7 @@ static void check_pixel(const view *v, int x, int row) {
         algsurf_hit hit;
         assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
         uint8_t *before = &is_excused[(row - v->row_begin) * WIDTH + x];
-        if (hit.state == ALGSURF_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
+        if (hit.state == ALGSURF_STATE_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
             seen.excused += !*before, *before = 1;
         else
             complain(v, tier, x, row, &ray, &answer, wrong);

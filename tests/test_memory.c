@@ -247,7 +247,7 @@ static int is_done(algsurf_status status, const void *written, const void *befor
 }
 
 static void judge_hit(const algsurf_hit *hit, int i) {
-    assert_int_equal(hit->state, ALGSURF_HIT);
+    assert_int_equal(hit->state, ALGSURF_STATE_HIT);
     assert_true(hit->t_lo <= hit->t && hit->t <= hit->t_hi);
     assert_true(fabs(hit->t - asked->root[i]) <= 1e-6 * asked->root[i]);
 }
@@ -264,13 +264,14 @@ static void ask_packets(void) {
         t_min[i] = i == 1 ? r->t_min : 1, t_max[i] = i == 1 ? r->t_max : 2;
     }
     for (int k = 0; k < 3; k++) rays.origin[k] = o[k], rays.direction[k] = d[k];
-    int wanted = asked->count ? ALGSURF_HIT : ALGSURF_MISS;
+    int wanted = asked->count ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS;
     algsurf_status status = algsurf_intersect_packet(asked_surface, &asked->extent, &rays, NULL, &to);
-    assert_int_equal(state[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNDECIDED);
+    assert_int_equal(state[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_STATE_UNDECIDED);
     status = algsurf_occluded_packet(asked_surface, &asked->extent, &rays, NULL, occluded);
-    assert_int_equal(occluded[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNDECIDED);
+    assert_int_equal(occluded[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_STATE_UNDECIDED);
     if (asked->extent.kind == ALGSURF_EXTENT_ALL) return;
-    for (int i = 0; i < 3; i += 2) assert_true(state[i] == ALGSURF_MISS && occluded[i] == ALGSURF_MISS);
+    for (int i = 0; i < 3; i += 2)
+        assert_true(state[i] == ALGSURF_STATE_MISS && occluded[i] == ALGSURF_STATE_MISS);
 }
 
 static algsurf_status undecided_intersect(void) {
@@ -282,7 +283,7 @@ static algsurf_status undecided_intersect(void) {
     algsurf_status status = algsurf_intersect_first(asked_surface, extent, &asked->ray, NULL, all);
     if (is_done(status, all, before, sizeof all)) {
         if (asked->count) judge_hit(all, 0);
-        if (!asked->count) assert_int_equal(all[0].state, ALGSURF_MISS);
+        if (!asked->count) assert_int_equal(all[0].state, ALGSURF_STATE_MISS);
     }
     memcpy(all, before, sizeof all);
     status = algsurf_intersect_all(asked_surface, extent, &asked->ray, NULL, all, 32, &count);
@@ -294,8 +295,8 @@ static algsurf_status undecided_intersect(void) {
     }
     status = algsurf_occluded(asked_surface, extent, &asked->ray, NULL, &occluded);
     assert_int_equal((int)occluded, !is_done(status, NULL, NULL, 0) ? 77
-                                    : asked->count                  ? ALGSURF_HIT
-                                                                    : ALGSURF_MISS);
+                                    : asked->count                  ? ALGSURF_STATE_HIT
+                                                                    : ALGSURF_STATE_MISS);
     ask_packets();
     return ALGSURF_OK;
 }

@@ -153,7 +153,7 @@ static void check_normal(const body *b, const algsurf_ray *ray, const algsurf_hi
                          tally *judged) {
     mpq_t t, x[3], p[3];
     long double at_root[3], there[3], normal[3];
-    if (hit->state != ALGSURF_HIT || hit->multiplicity != 1) return;
+    if (hit->state != ALGSURF_STATE_HIT || hit->multiplicity != 1) return;
     mpq_inits(t, x[0], x[1], x[2], p[0], p[1], p[2], NULL);
     root_of(t, b, ray, hit);
     for (int i = 0; i < 3; i++) {

@@ -283,7 +283,7 @@ static void check_points(const scene *s, int method, const algsurf_hit *hit) {
                          pow(x[2], s->terms[m].k));
         assert_true(fabs(p->value - value) <= 1e-7 * size);
     }
-    if (hit->state == ALGSURF_HIT && told.engine == ALGSURF_ENGINE_DOUBLES &&
+    if (hit->state == ALGSURF_STATE_HIT && told.engine == ALGSURF_ENGINE_DOUBLES &&
         method == ALGSURF_METHOD_DEFAULT) {
         assert_true(told.points > 0);
         assert_true(fabs(told.point[told.points - 1].t - hit->t) <= 1e-9 * (1 + fabs(hit->t)));
@@ -303,7 +303,7 @@ static void check_bracket(const algsurf_hit *hit) {
 /* All three calls, watched and not; returns who decided. */
 static int watch_ray(const scene *s, algsurf_intersect_options how) {
     algsurf_hit hit, plain, all[ALGSURF_MAX_DEGREE], plain_all[ALGSURF_MAX_DEGREE];
-    int hidden = ALGSURF_MISS, plain_hidden = ALGSURF_MISS;
+    int hidden = ALGSURF_STATE_MISS, plain_hidden = ALGSURF_STATE_MISS;
     const algsurf_surface *surface = s->surface;
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     int count = 0, plain_count = 0;
@@ -331,7 +331,8 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     check_counts();
     check_ray_cells(s);
     check_points(s, how.method, &hit);
-    if (hit.state == ALGSURF_HIT && hit.multiplicity == 1 && how.absolute_tolerance == 0) check_bracket(&hit);
+    if (hit.state == ALGSURF_STATE_HIT && hit.multiplicity == 1 && how.absolute_tolerance == 0)
+        check_bracket(&hit);
     return told.engine;
 }
 

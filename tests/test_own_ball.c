@@ -139,7 +139,7 @@ TEST(test_shared_origin) {
                 fail_msg("%s: ray %d along (%a, %a, %a): %d at %a alone, %d at %a in the packet", equation[e],
                          i, ray.direction[0], ray.direction[1], ray.direction[2], hit.state, hit.t, states[i],
                          t[i]);
-            hits += hit.state == ALGSURF_HIT, misses += hit.state == ALGSURF_MISS;
+            hits += hit.state == ALGSURF_STATE_HIT, misses += hit.state == ALGSURF_STATE_MISS;
         }
         algsurf_surface_free(s);
     }
@@ -158,7 +158,7 @@ TEST(test_vanishing_direction) {
     assert_ok(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count));
     assert_int_equal(count, 0); /* p is -5/4 */
     assert_ok(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count));
-    for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_UNDECIDED && hits[i].t_hi > 1e4;
+    for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_STATE_UNDECIDED && hits[i].t_hi > 1e4;
     assert_true(beyond);
     algsurf_surface_free(known);
     algsurf_surface_free(exact);

@@ -139,7 +139,7 @@ static void drop(const char *equation, algsurf_ray ray, int count) {
     intersect_equation(&c, equation);
     c.ray = ray;
     intersect_judge(&c, NULL, &hits);
-    if (hits.count != count || (count && hits.all[count - 1].state != ALGSURF_HIT))
+    if (hits.count != count || (count && hits.all[count - 1].state != ALGSURF_STATE_HIT))
         intersect_fail("degree drop", &c, &hits);
     algsurf_surface_free(c.surface);
 }
@@ -157,12 +157,12 @@ TEST(single_point) {
     intersect_equation(&c, "x^64 + y^64 + z^64 - 1");
     c.ray = (algsurf_ray){{0.3, 0.7, -1.5}, {0.1, 0.2, 1}, 0, 0};
     intersect_ask(&c, NULL, NULL, &hits);
-    assert_int_equal(hits.first.state, ALGSURF_MISS);
+    assert_int_equal(hits.first.state, ALGSURF_STATE_MISS);
     algsurf_surface_free(c.surface);
     intersect_equation(&c, "(x + y + z - 1)^20");
     c.ray = (algsurf_ray){{0.3, 0.7, 0.5}, {0.1, 0.2, 1}, 0, 0};
     intersect_ask(&c, NULL, NULL, &hits);
-    assert_int_equal(hits.first.state, ALGSURF_MISS);
+    assert_int_equal(hits.first.state, ALGSURF_STATE_MISS);
     algsurf_surface_free(c.surface);
 }
 /* A hit beyond the range of double had t = inf. */
@@ -170,7 +170,7 @@ TEST(t_infinite) {
     intersect_equation(&c, "x^2 + y^2 + z^2 - 1");
     c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 1e-320}, -INFINITY, INFINITY};
     intersect_ask(&c, NULL, NULL, &hits);
-    assert_true(hits.first.state != ALGSURF_HIT || isfinite(hits.first.t));
+    assert_true(hits.first.state != ALGSURF_STATE_HIT || isfinite(hits.first.t));
     algsurf_surface_free(c.surface);
 }
 /* A ray in the surface was a hit at either end, with nothing in between, where the degree dropped to 1. */
@@ -188,7 +188,7 @@ TEST(near_the_largest_double) {
     intersect_equation(&c, "x - 1/4");
     c.ray = (algsurf_ray){{-0x1.8p1022, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_ask(&c, &box, &certified, &hits);
-    assert_int_equal(hits.first.state, ALGSURF_HIT);
+    assert_int_equal(hits.first.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hits.first.t / 0x1.8p1022 - 1) < 1e-15 && hits.count == 1);
     assert_true(hits.first.t_hi - hits.first.t_lo < 0x1p975);
     algsurf_surface_free(c.surface);
@@ -203,7 +203,7 @@ TEST(first_root_taken_for_the_end) {
                           0,
                           INFINITY};
     intersect_ask(&c, &box, NULL, &hits);
-    assert_int_equal(hits.first.state, ALGSURF_HIT);
+    assert_int_equal(hits.first.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
     algsurf_surface_free(c.surface);
 }

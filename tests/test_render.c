@@ -45,7 +45,7 @@ static void add_colour(const algsurf_scene *scene, const algsurf_hit *hit, const
     algsurf_lighting lighting = {.size = sizeof lighting};
     double c[3] = {sky[0], sky[1], sky[2]};
     assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
-    if (hit->state != ALGSURF_MISS)
+    if (hit->state != ALGSURF_STATE_MISS)
         assert_ok(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
 }
@@ -86,7 +86,7 @@ TEST(pixel_by_pixel) {
                 algsurf_hit hit = hit_of(surface, k % W + (s % n + 0.5) / n, k / W + (s / n + 0.5) / n, &ray);
                 add_colour(scene, &hit, &ray, sky, sum);
                 t = fmin(t, hit.t); /* +inf for a miss */
-                count += hit.state == ALGSURF_HIT;
+                count += hit.state == ALGSURF_STATE_HIT;
             }
             otherwise += compare_bytes(p, k, sum, n * n);
             if (isinf(t))
@@ -291,8 +291,8 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
             const algsurf_i_sample sample = {k % W, k / W, s, n * n};
             algsurf_ray ray;
             algsurf_hit hit = hit_of(surface, k % W + (s % n + 0.5) / n, k / W + (s / n + 0.5) / n, &ray);
-            hits += hit.state == ALGSURF_HIT;
-            if (hit.state == ALGSURF_HIT)
+            hits += hit.state == ALGSURF_STATE_HIT;
+            if (hit.state == ALGSURF_STATE_HIT)
                 sure &= add_full_colour(&lighting, clears, &hit, &ray, &sample, sum, found);
             else
                 for (int i = 0; i < 3; i++) sum[i] += 1; /* the background */
@@ -635,7 +635,7 @@ TEST(steep_ramps) {
                 assert_ok(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit));
                 assert_int_equal(states[i], hit.state);
                 double slope = 2 * pow(10, power) * fabs(hit.position[2]); /* of t, across the ray */
-                if (hit.state == ALGSURF_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))
+                if (hit.state == ALGSURF_STATE_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))
                     fail_msg("10^%d z^2, half height 10^-%d, pixel %d: t %a, by itself %a", power, zoom, i,
                              t[i], hit.t);
             }

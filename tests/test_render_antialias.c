@@ -296,7 +296,7 @@ static double t_at(const algsurf_surface *surface, const algsurf_extent *extent,
     algsurf_hit hit;
     assert_ok(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray));
     assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
-    return hit.state == ALGSURF_HIT ? hit.t : INFINITY;
+    return hit.state == ALGSURF_STATE_HIT ? hit.t : INFINITY;
 }
 
 /* What is left of the step in t between two samples after 40 halvings of the way, towards the larger step: on

@@ -94,13 +94,13 @@ TEST(pixel_by_pixel) {
         algsurf_hit hit;
         assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
         assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, &space, NULL, NULL, &hit, NULL));
-        hits += hit.state == ALGSURF_HIT;
-        if (hit.state != ALGSURF_MISS)
+        hits += hit.state == ALGSURF_STATE_HIT;
+        if (hit.state != ALGSURF_STATE_MISS)
             assert_ok(algsurf_shade(&lighting, NULL, hit.position, hit.normal, ray.direction, c));
         assert_ok(algsurf_srgb_encode(c, bytes));
         for (int i = 0; i < 3; i++)
             assert_true(abs(p->bytes[k / W * STRIDE + k % W * 3 + i] - bytes[i]) <= 1);
-        if (hit.state == ALGSURF_MISS)
+        if (hit.state == ALGSURF_STATE_MISS)
             assert_true(isinf(p->hits[k]));
         else
             assert_true(agrees(p->hits[k], &hit));
@@ -121,9 +121,9 @@ static void assert_same_states(const catalogue_entry *entry, const algsurf_surfa
         algsurf_hit hit;
         assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
         assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, space, NULL, NULL, &hit, NULL));
-        undecided += hit.state == ALGSURF_UNDECIDED;
-        assert_true(isinf(p->hits[k]) == (hit.state == ALGSURF_MISS));
-        if (hit.state == ALGSURF_HIT) assert_true(agrees(p->hits[k], &hit));
+        undecided += hit.state == ALGSURF_STATE_UNDECIDED;
+        assert_true(isinf(p->hits[k]) == (hit.state == ALGSURF_STATE_MISS));
+        if (hit.state == ALGSURF_STATE_HIT) assert_true(agrees(p->hits[k], &hit));
     }
     assert_true(undecided == p->stats.undecided);
 }

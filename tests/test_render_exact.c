@@ -164,7 +164,7 @@ static int find_point(const view *v, double far, uint64_t *seed, double point[3]
             ray.direction[k] = exact_random_unit(seed);
         }
         assert_ok(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit));
-        if (hit.state != ALGSURF_HIT) continue;
+        if (hit.state != ALGSURF_STATE_HIT) continue;
         for (int k = 0; k < 3; k++) point[k] = hit.position[k];
         return 1;
     }
@@ -365,7 +365,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
         assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
-        undecided |= hit.state == ALGSURF_UNDECIDED;
+        undecided |= hit.state == ALGSURF_STATE_UNDECIDED;
         for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
             double part = fabs(t - answer.t[i]) / room;
@@ -442,7 +442,7 @@ static int hits_at(const view *v, double x, double y) {
     algsurf_ray ray = ray_at(v, x, y);
     algsurf_hit hit;
     assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
-    return hit.state != ALGSURF_MISS;
+    return hit.state != ALGSURF_STATE_MISS;
 }
 
 /* Turns the camera to where the drawing changes from hit to miss, and narrows its view; 0 if there is no such
@@ -661,14 +661,14 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     algsurf_ray ray = ray_at(v, x + 0.5, y + 0.5);
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
     algsurf_hit hit;
-    int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT;
+    int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
     assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
-    seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;
-    if (hit.state == ALGSURF_UNDECIDED) return 1;
+    seen.checked++, seen.hits += state == ALGSURF_STATE_HIT, seen.misses += state == ALGSURF_STATE_MISS;
+    if (hit.state == ALGSURF_STATE_UNDECIDED) return 1;
     if (state != hit.state) complain(v, x + 0.5, y + 0.5, t, &ray, &answer, "not what the single ray says");
-    if (state == ALGSURF_MISS && answer.sure) complain(v, x, y, t, &ray, &answer, "a miss for a hit");
-    if (state == ALGSURF_HIT && !met) complain(v, x, y, t, &ray, &answer, "not the first root");
+    if (state == ALGSURF_STATE_MISS && answer.sure) complain(v, x, y, t, &ray, &answer, "a miss for a hit");
+    if (state == ALGSURF_STATE_HIT && !met) complain(v, x, y, t, &ray, &answer, "not the first root");
     return 0;
 }
 

@@ -81,13 +81,13 @@ static void check_pixels(const algsurf_surface *surface, const view *v, const pi
         assert_ok(algsurf_camera_ray(&v->camera, W, H, i % W + 0.5, i / W + 0.5, &ray));
         if (isinf(packets->hits[i]) != isinf(singly->hits[i])) {
             assert_ok(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit));
-            if (hit.state != ALGSURF_UNDECIDED)
+            if (hit.state != ALGSURF_STATE_UNDECIDED)
                 fail_msg("%s, view %d, pixel %d,%d: %s by packets only", v->entry->name, v->number, i % W,
                          i / W, isinf(packets->hits[i]) ? "missed" : "hit");
         } else if (!isinf(packets->hits[i]) && packets->hits[i] != singly->hits[i] &&
                    !is_zero(surface, &ray, packets->hits[i])) {
             assert_ok(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit));
-            if (hit.state == ALGSURF_HIT)
+            if (hit.state == ALGSURF_STATE_HIT)
                 fail_msg("%s, view %d, pixel %d,%d: t = %a, not %a", v->entry->name, v->number, i % W, i / W,
                          packets->hits[i], hit.t);
         }

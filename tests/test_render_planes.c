@@ -62,7 +62,7 @@ static algsurf_hit hit_at(const struct way *way, const algsurf_surface *surface,
  */
 static int shows(const picture *p, int k, const algsurf_hit *hit) {
     if (p->states[k] != hit->state) return 0;
-    if (hit->state == ALGSURF_MISS)
+    if (hit->state == ALGSURF_STATE_MISS)
         return p->hits[k] == INFINITY && p->normals[3 * k] == 0 && p->normals[3 * k + 1] == 0 &&
                p->normals[3 * k + 2] == 0;
     double away = 0, length = 0;
@@ -87,7 +87,7 @@ TEST(one_ray) {
                          p->states[k], p->hits[k], hit.state, hit.t);
             count[hit.state]++;
         }
-        assert_true(count[ALGSURF_HIT] > W * H / 8 && count[ALGSURF_MISS] > W * H / 8);
+        assert_true(count[ALGSURF_STATE_HIT] > W * H / 8 && count[ALGSURF_STATE_MISS] > W * H / 8);
         free(p);
         algsurf_scene_free(scene);
     }
@@ -106,7 +106,7 @@ TEST(nearest_sample) {
             int shown = 0, misses = 0, at = -1;
             for (int s = 0; s < 9; s++) {
                 hits[s] = hit_at(way, surface, k % W + (s % 3 + 0.5) / 3, k / W + (s / 3 + 0.5) / 3);
-                misses += hits[s].state == ALGSURF_MISS;
+                misses += hits[s].state == ALGSURF_STATE_MISS;
                 if (hits[s].t < nearest.t) nearest = hits[s], at = s;
             }
             for (int s = 0; s < 9; s++) shown |= hits[s].t <= nearest.t + 1e-9 && shows(p, k, &hits[s]);
@@ -123,7 +123,7 @@ TEST(nearest_sample) {
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
 TEST(undecided) {
     static const int as[] = {ALGSURF_AS_UNDECIDED, ALGSURF_AS_HIT, ALGSURF_AS_MISS};
-    static const int told[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
+    static const int told[] = {ALGSURF_STATE_UNDECIDED, ALGSURF_STATE_HIT, ALGSURF_STATE_MISS};
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
     for (int n = 1; n <= 2; n++)
@@ -169,7 +169,7 @@ TEST(first_of_equals) {
     picture *p = drawn(scene, 1);
     int seen = 0;
     for (int k = W / 2 - 1; k < W * H; k += W) { /* pixels from x = -0.0625 to 0.0625 */
-        if (p->states[k] != ALGSURF_HIT) continue;
+        if (p->states[k] != ALGSURF_STATE_HIT) continue;
         assert_true(fabs(p->hits[k] - (4 - 0.03125)) <= 1e-9);
         /* on the left the nearer sheet is z = -x: its normal has components x and z of one sign */
         assert_true(p->normals[3 * k] * p->normals[3 * k + 2] > 0);
@@ -208,7 +208,7 @@ TEST(alpha) {
             int samples = 0;
             for (int s = 0; s < 9; s++)
                 samples += hit_at(way, surface, k % W + (s % 3 + 0.5) / 3, k / W + (s / 3 + 0.5) / 3).state !=
-                           ALGSURF_MISS;
+                           ALGSURF_STATE_MISS;
             assert_memory_equal(rgba[k], rgb[k], 3);
             assert_int_equal(rgba[k][3], 255);
             assert_int_equal(clear[k][3], (int)floor(255 * (samples / 9.0) + 0.5));

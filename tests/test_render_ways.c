@@ -83,8 +83,8 @@ static void check_tile_of(const drawn *d, int x, int y) {
     assert_true(side == 16 || side == 8 || side == 4);
     assert_int_equal(d->ways[first] & ~KIND, side);
     assert_int_equal((d->ways[first] & KIND) == ALGSURF_WAY_EMPTY, empty);
-    if (empty) assert_int_equal(d->states[i], ALGSURF_MISS);
-    if (sheet) assert_int_equal(d->states[i], ALGSURF_HIT);
+    if (empty) assert_int_equal(d->states[i], ALGSURF_STATE_MISS);
+    if (sheet) assert_int_equal(d->states[i], ALGSURF_STATE_HIT);
 }
 
 static void check_tiles(const algsurf_scene *scene, const algsurf_surface *surface,

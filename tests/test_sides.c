@@ -32,7 +32,7 @@ static int first_hit(uint64_t *seed, const algsurf_extent *extent, algsurf_hit *
     }
     c.ray.t_min = 0, c.ray.t_max = INFINITY;
     assert_ok(algsurf_intersect_first(c.surface, extent, &c.ray, NULL, hit));
-    return hit->state == ALGSURF_HIT && hit->multiplicity == 1;
+    return hit->state == ALGSURF_STATE_HIT && hit->multiplicity == 1;
 }
 
 /* The point and a direction into the half space from which the ray came: any, or almost along the surface. */
@@ -80,7 +80,7 @@ static int is_decided(const algsurf_extent *extent, int side) {
     const algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .side = side};
     algsurf_hit hit;
     assert_ok(algsurf_intersect_first(c.surface, extent, &c.ray, &how, &hit));
-    return hit.state != ALGSURF_UNDECIDED;
+    return hit.state != ALGSURF_STATE_UNDECIDED;
 }
 
 /* Secondary rays of a surface, whose terms are set; most: of how many doubles must decide, if they do not

@@ -56,7 +56,7 @@ static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *jo
     if (n < 0) return;
     ++*decided;
     if (!known || n == 0) {
-        assert_true(known && first.state == ALGSURF_MISS);
+        assert_true(known && first.state == ALGSURF_STATE_MISS);
         return;
     }
     assert_memory_equal(&first, all, sizeof first);

@@ -197,7 +197,7 @@ STACK_OF(algsurf_occluded, 42, RENDERER) { for_rays(one_occluded); }
 
 static void one_leave(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                       const algsurf_intersect_options *o) {
-    const algsurf_hit hit = {.state = ALGSURF_HIT, .normal = {1, 0, 0}};
+    const algsurf_hit hit = {.state = ALGSURF_STATE_HIT, .normal = {1, 0, 0}};
     double start[3];
     (void)algsurf_hit_leave(s, r, &hit, e && o->tier ? 1 : -1, start);
 }

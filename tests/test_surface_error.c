@@ -78,10 +78,10 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
             exact_sturm chain = exact_sturm_along(member.terms, member.count, member.degree, ray);
             const char *wrong = intersect_truth(&member, &chain, &answer);
             int roots = exact_count_roots(&chain, ray->t_min, ray->t_max);
-            if (!wrong && state == ALGSURF_MISS && roots > 0) wrong = "packet misses";
-            if (!wrong && state == ALGSURF_HIT && roots == 0) wrong = "packet hits nothing";
+            if (!wrong && state == ALGSURF_STATE_MISS && roots > 0) wrong = "packet misses";
+            if (!wrong && state == ALGSURF_STATE_HIT && roots == 0) wrong = "packet hits nothing";
             if (wrong) intersect_fail(wrong, &member, &answer);
-            *certain += answer.first.state != ALGSURF_UNDECIDED;
+            *certain += answer.first.state != ALGSURF_STATE_UNDECIDED;
             exact_sturm_clear(&chain);
             algsurf_surface_free(own);
         }
@@ -138,7 +138,7 @@ TEST(far_roots) {
     assert_true(intersect_terms(&c, line, 2));
     algsurf_surface *s = with_error(0x1p-53);
     assert_ok(algsurf_intersect_first(s, NULL, &along, NULL, &hit));
-    assert_true(hit.state == ALGSURF_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
+    assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
 }
@@ -264,10 +264,10 @@ TEST(a_point) {
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
     assert_ok(algsurf_intersect_first(s, NULL, &at_one, &o, &hit));
-    assert_int_equal(hit.state, ALGSURF_UNDECIDED);
+    assert_int_equal(hit.state, ALGSURF_STATE_UNDECIDED);
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
     assert_ok(algsurf_intersect_first(s, NULL, &beside, &o, &hit));
-    assert_int_equal(hit.state, ALGSURF_MISS);
+    assert_int_equal(hit.state, ALGSURF_STATE_MISS);
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
 }

@@ -102,7 +102,7 @@ static void random_camera(uint64_t *seed, double far, const double look[3], doub
         assert_ok(algsurf_camera_pinhole(eye, look, up, fov, camera));
 }
 
-static int is_drawn(int state) { return state == ALGSURF_THIN || state == ALGSURF_HIT; }
+static int is_drawn(int state) { return state == ALGSURF_STATE_THIN || state == ALGSURF_STATE_HIT; }
 
 TEST(points_are_one_dot) {
     static const struct {
@@ -204,8 +204,8 @@ static place cross(const algsurf_camera *camera, int size, const part *l, int st
 static int shows_line(const image *of, int x, int y, const place *p) {
     if (x < 0 || y < 0 || x >= of->size || y >= of->size) return 1;
     const int i = y * of->size + x;
-    return (of->states[i] == ALGSURF_THIN && of->t[i] < p->t + 8 * p->pixel) ||
-           (of->states[i] == ALGSURF_HIT && of->t[i] < p->t + 8 * p->pixel);
+    return (of->states[i] == ALGSURF_STATE_THIN && of->t[i] < p->t + 8 * p->pixel) ||
+           (of->states[i] == ALGSURF_STATE_HIT && of->t[i] < p->t + 8 * p->pixel);
 }
 
 /* Returns how many columns, or rows, were looked at; -1: the line is seen from its end. */
@@ -287,8 +287,8 @@ TEST(undecided_places_hide_nothing) {
         draw(scene, SIZE, &second);
         assert_true(second.stats.thin > 40);
         for (size_t i = 0; i < SIZE * SIZE; i++) {
-            assert_true(first.states[i] == ALGSURF_MISS || second.states[i] == ALGSURF_THIN);
-            assert_true(second.states[i] == ALGSURF_MISS || fabs(second.t[i] - 9) < 0.3);
+            assert_true(first.states[i] == ALGSURF_STATE_MISS || second.states[i] == ALGSURF_STATE_THIN);
+            assert_true(second.states[i] == ALGSURF_STATE_MISS || fabs(second.t[i] - 9) < 0.3);
         }
         algsurf_scene_free(scene);
     }
@@ -477,7 +477,7 @@ TEST(samples_are_finer_pixels) {
         for (int x = 0; x < SIZE; x++) {
             int shown = 0;
             for (int k = 0; k < N * N; k++)
-                shown += first.states[(N * y + k / N) * N * SIZE + N * x + k % N] != ALGSURF_MISS;
+                shown += first.states[(N * y + k / N) * N * SIZE + N * x + k % N] != ALGSURF_STATE_MISS;
             assert_int_equal(second.bytes[4 * (y * SIZE + x) + 3], (int)(255.0 * shown / (N * N) + 0.5));
         }
     algsurf_scene_free(scene);

@@ -53,12 +53,13 @@ static void accepted_ray(char *const *row, const algsurf_surface *s, const algsu
         return;
     }
     int meets = any ? any_meets(row) : !strcmp(row[EXPECT], "ok");
-    int false_state = meets ? ALGSURF_MISS : ALGSURF_HIT;
+    int false_state = meets ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
     if (hit.state == false_state) wrong(row, "first hit: a false certificate");
     if ((int)occluded == false_state) wrong(row, "occluded: a false certificate");
-    if (meets ? count == 0 : count > 0 && hits[0].state == ALGSURF_HIT)
+    if (meets ? count == 0 : count > 0 && hits[0].state == ALGSURF_STATE_HIT)
         wrong(row, "all hits: a false certificate");
-    if (!strcmp(row[EXPECT], "empty") && (hit.state != ALGSURF_MISS || count || occluded != ALGSURF_MISS))
+    if (!strcmp(row[EXPECT], "empty") &&
+        (hit.state != ALGSURF_STATE_MISS || count || occluded != ALGSURF_STATE_MISS))
         wrong(row, "an empty ray does not miss");
     if (!strcmp(row[EXPECT], "ok") && count != (int)truth_number(row[CHECK]))
         wrong(row, "the number of hits");

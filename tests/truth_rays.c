@@ -72,9 +72,9 @@ static void wrong(int query, const truth *r, const char *what, const algsurf_hit
 static void count_state(int query, const truth *r, int state) {
     tally *y = tally_of(query, r);
     y->rows++;
-    if (state == ALGSURF_HIT) y->hits++;
-    if (state == ALGSURF_MISS) y->misses++;
-    if (state == ALGSURF_UNDECIDED) y->undecided++;
+    if (state == ALGSURF_STATE_HIT) y->hits++;
+    if (state == ALGSURF_STATE_MISS) y->misses++;
+    if (state == ALGSURF_STATE_UNDECIDED) y->undecided++;
 }
 
 static int at_least(algsurf_dd t, double lo) { return lo < t.hi || (lo == t.hi && t.lo >= 0); }
@@ -103,11 +103,11 @@ static void judge_error(int query, const truth *r, const algsurf_hit *hit) {
 
 static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
     count_state(query, r, hit->state);
-    if (hit->state == ALGSURF_MISS) {
+    if (hit->state == ALGSURF_STATE_MISS) {
         if (r->n || r->in_surface) wrong(query, r, "a miss is told, there is a root", hit);
         if (!(hit->t == INFINITY && hit->t_lo == INFINITY && hit->t_hi == INFINITY))
             wrong(query, r, "a miss with a finite t", hit);
-    } else if (hit->state == ALGSURF_HIT) {
+    } else if (hit->state == ALGSURF_STATE_HIT) {
         if (r->in_surface) {
             if (hit->multiplicity != 0) wrong(query, r, "a ray in the surface with a multiplicity", hit);
             return;
@@ -147,7 +147,7 @@ static int covers(const algsurf_hit *h, const exact_root *root) {
 static void pair_off(int query, const truth *r, const algsurf_hit *hits, int count) {
     int next = 0;
     for (int i = 0; i < count; i++) {
-        if (hits[i].state != ALGSURF_HIT) continue;
+        if (hits[i].state != ALGSURF_STATE_HIT) continue;
         while (next < r->n && !covers(&hits[i], &r->root[next])) next++;
         if (next == r->n) wrong(query, r, "a hit encloses no further root", &hits[i]);
         if (next < r->n && hits[i].multiplicity != r->root[next].mult)
@@ -170,11 +170,11 @@ static void judge_all(const algsurf_surface *s, const truth *r) {
         return;
     }
     for (int i = 0; i < count; i++) {
-        open |= hits[i].state == ALGSURF_UNDECIDED;
+        open |= hits[i].state == ALGSURF_STATE_UNDECIDED;
         if (i > 0 && !(hits[i].t_lo >= hits[i - 1].t_lo))
             wrong(query, r, "not in increasing order", &hits[i]);
     }
-    count_state(query, r, open ? ALGSURF_UNDECIDED : count ? ALGSURF_HIT : ALGSURF_MISS);
+    count_state(query, r, open ? ALGSURF_STATE_UNDECIDED : count ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS);
     if (!r->in_surface) pair_off(query, r, hits, count);
     if (r->in_surface && !count) wrong(query, r, "the ray lies in the surface, and nothing is told", NULL);
     if (!open && !r->in_surface && count != r->n) wrong(query, r, "the number of hits", NULL);
@@ -183,9 +183,9 @@ static void judge_all(const algsurf_surface *s, const truth *r) {
 
 static void judge_whether(int query, const truth *r, int state) {
     count_state(query, r, state);
-    if (state == ALGSURF_MISS && (r->n || r->in_surface)) wrong(query, r, "told free", NULL);
-    if (state == ALGSURF_HIT && !r->n && !r->in_surface) wrong(query, r, "told occluded", NULL);
-    if (state == ALGSURF_UNDECIDED) wrong(query, r, "undecided, but decidable", NULL);
+    if (state == ALGSURF_STATE_MISS && (r->n || r->in_surface)) wrong(query, r, "told free", NULL);
+    if (state == ALGSURF_STATE_HIT && !r->n && !r->in_surface) wrong(query, r, "told occluded", NULL);
+    if (state == ALGSURF_STATE_UNDECIDED) wrong(query, r, "undecided, but decidable", NULL);
 }
 
 static void judge_occluded(const algsurf_surface *s, const truth *r) {

@@ -29,23 +29,24 @@ typedef enum algsurf_tier {
 
 /* What an undecided place is reported as. */
 typedef enum algsurf_undecided_as {
-    ALGSURF_AS_UNDECIDED = 0, /* as what it is: ALGSURF_UNDECIDED */
+    ALGSURF_AS_UNDECIDED = 0, /* as what it is: ALGSURF_STATE_UNDECIDED */
     ALGSURF_AS_HIT = 1,       /* as a hit; its `reason` still tells why it is undecided */
     ALGSURF_AS_MISS = 2       /* not at all: the next hit counts; if there is none, the ray misses */
 } algsurf_undecided_as;
 
 /* What is known of a hit. */
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,      /* no point of the surface on the ray: verified as algsurf_tier says */
-    ALGSURF_HIT = 1,       /* a point of the surface, and the first: verified as algsurf_tier says */
-    ALGSURF_UNDECIDED = 2, /* not decided: coefficients known to an error only, or the bounded tier */
-    ALGSURF_THIN = 3       /* in pictures only: the ray passes something thin (algsurf_scene_set_thin) */
+    ALGSURF_STATE_MISS = 0,      /* no point of the surface on the ray: verified as algsurf_tier says */
+    ALGSURF_STATE_HIT = 1,       /* a point of the surface, and the first: verified as algsurf_tier says */
+    ALGSURF_STATE_UNDECIDED = 2, /* not decided: coefficients known to an error only, or the bounded tier */
+    ALGSURF_STATE_THIN = 3,   /* in pictures only: the ray passes something thin (algsurf_scene_set_thin) */
+    ALGSURF_STATE_REFUSED = 4 /* in packets only: a bad ray; its `reason` is the error */
 } algsurf_hit_state;
 
 /* Where a ray meets a surface.  For a miss, t, t_lo and t_hi are +inf, and the vectors are 0. */
 typedef struct algsurf_hit {
-    int state;        /* an algsurf_hit_state */
-    int reason;       /* an algsurf_status: ALGSURF_OK, or why it is undecided (a positive status) */
+    int state;  /* an algsurf_hit_state */
+    int reason; /* an algsurf_status: ALGSURF_OK; why it is undecided (positive), or refused (negative) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
     int side; /* of a hit: the sign of P on the ray just before it, -1 or 1; 0 with multiplicity 0.  Of a
@@ -136,8 +137,8 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 /* Is there any hit?  Cheaper than the first hit, since no root is refined.  If P has different signs at the
  * two ends of the ray's part inside the extent, there is a hit; so the answer may be a hit although
  * algsurf_intersect_first leaves the first hit undecided.
- *   state  an algsurf_hit_state: ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
- * Errors: as above.  42 KiB of stack.  Since 1.0. */
+ *   state  an algsurf_hit_state: ALGSURF_STATE_HIT: occluded; ALGSURF_STATE_MISS: free;
+ * ALGSURF_STATE_UNDECIDED Errors: as above.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             int *state);
@@ -149,19 +150,25 @@ ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, cons
  * goes to start     the point: from the position along the normal, or, where that is 0, along the ray, 2^-53
  * to 2^-20 times the size of the position or, if that is less, of the surface away Guarantee: the sign of P
  * at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such point so near, as beyond a
- * double root: start is untouched then. Errors: E_ARGUMENT (null, side, a hit whose state is not ALGSURF_HIT,
- * bad ray), E_NOT_FINITE.  Cost: as a rule that of two to ten calls of algsurf_surface_value.  Since 1.0. */
+ * double root: start is untouched then. Errors: E_ARGUMENT (null, side, a hit whose state is not
+ * ALGSURF_STATE_HIT, bad ray), E_NOT_FINITE.  Cost: as a rule that of two to ten calls of
+ * algsurf_surface_value.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_hit_leave(const algsurf_surface *surface, const algsurf_ray *ray,
                                              const algsurf_hit *hit, int side, double start[3]);
 
-/* Rays side by side, as structure of arrays: ray i is origin[0..2][i] + t direction[0..2][i],
- * t_min[i] <= t <= t_max[i], with directions of any length. */
+/* Many rays, in arrays of doubles or of floats.  Ray i is origin[0..2][i step] + t direction[0..2][i step],
+ * t_min[i step] <= t <= t_max[i step], with directions of any length.  Arrays of structs need no copy: the
+ * pointers are to the members of the first struct, and step is the struct's size in numbers. */
 typedef struct algsurf_ray_packet {
     size_t size;                            /* sizeof(algsurf_ray_packet) */
     size_t count;                           /* of rays; the arrays may be null when it is 0 */
     const double *origin[3], *direction[3]; /* x, y, z */
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
-    const unsigned char *active;            /* null: all; 0: that ray is skipped, its numbers may be any */
+    const unsigned char *active; /* null: all; active[i] = 0: ray i is skipped, its numbers may be any,
+                                    and nothing is written for it */
+    ptrdiff_t step;              /* from one ray's numbers to the next one's; 0: 1 */
+    const float *float_origin[3], *float_direction[3]; /* rays in floats: then there is no double */
+    const float *float_t_min, *float_t_max;            /* null: as above */
 } algsurf_ray_packet;
 
 /* Where the answers go: entry i of each array is that member of ray i's algsurf_hit.  A null array is not
@@ -172,7 +179,7 @@ typedef struct algsurf_hit_packet {
     double *t, *t_lo, *t_hi;         /* along the ray as given */
     double *position[3], *normal[3]; /* x, y, z */
     int *multiplicity;               /* as in algsurf_hit */
-    signed char *side;               /* likewise */
+    signed char *side, *reason;      /* likewise; a reason is an algsurf_status */
 } algsurf_hit_packet;
 
 /* The first hit of each ray of a packet inside the extent, as algsurf_intersect_first returns it.
@@ -181,12 +188,13 @@ typedef struct algsurf_hit_packet {
  *            the rays are solved one by one; a tolerance makes packets no faster
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
- * Errors: those of the single call, for the first bad one of the active rays, or for extent and options;
- * E_ARGUMENT (null, a wrong size): nothing is written.  E_NO_MEMORY: the rays that could not be decided for
- * want of memory are UNDECIDED, [t_lo, t_hi] the whole ray; all others are answered.
- * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
- * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
- * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
+ * Errors: those of the single call for extent and options, and E_ARGUMENT (null, a wrong size, doubles and
+ * floats at once): nothing is written.  A bad ray's state is REFUSED, its reason the error of the single
+ * call, the rest that of a miss; E_NO_MEMORY: the rays that could not be decided for want of memory are
+ * UNDECIDED, [t_lo, t_hi] the whole ray.  In both cases all others are answered, and the first such error is
+ * returned. Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or
+ * 8 of them side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.
+ * One without an end is searched as far as the surface may reach, and no slower than in an extent that holds
  * that. Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's
  * method; all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,

@@ -173,8 +173,8 @@ typedef struct algsurf_render_stats {
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
                              middle of each pixel, and n x n more for each pixel chosen.  Counts are those of
                              the rows drawn */
-    uint64_t hits;        /* of them, ALGSURF_HIT */
-    uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
+    uint64_t hits;        /* of them, ALGSURF_STATE_HIT */
+    uint64_t undecided;   /* of them, ALGSURF_STATE_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */
     uint64_t shadow_rays; /* rays from points of the surface, to samples of lights and around, that were
                              traced one by one, because they were not decided together with the others from

@@ -57,7 +57,7 @@ static int list_apart(const algsurf_i_picture *picture, int row, int x, int end,
         const uint8_t *mark = middles->apart + channels * x;
         int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
         list[count] = x;
-        count += apart && state[x] != ALGSURF_THIN;
+        count += apart && state[x] != ALGSURF_STATE_THIN;
     }
     return count;
 }

@@ -55,7 +55,7 @@ static void add_points(const algsurf_i_line *line, int all_hit) {
             shown->sum[3 * x + k] = (first ? 0 : shown->sum[3 * x + k]) + line->colour[3 * i + k];
         if (!first && !(points->t[i] < shown->nearest[x])) continue;
         shown->nearest[x] = points->t[i];
-        if (shown->state) shown->state[x] = all_hit ? ALGSURF_HIT : line->state[at];
+        if (shown->state) shown->state[x] = all_hit ? ALGSURF_STATE_HIT : line->state[at];
         for (int k = 0; shown->normal && k < 3; k++) shown->normal[3 * x + k] = points->normal[k][i];
     }
 }
@@ -97,7 +97,7 @@ static void clear(const algsurf_i_picture *picture, int x, int count, const algs
     for (size_t done = channels; bytes && done < length; done *= 2)
         memcpy(bytes + done, bytes, done < length - done ? done : length - done);
     for (size_t i = 0; to->t && i < n; i++) to->t[x + (int)i] = INFINITY;
-    if (to->state) memset(to->state + x, ALGSURF_MISS, n);
+    if (to->state) memset(to->state + x, ALGSURF_STATE_MISS, n);
     if (to->normals) memset(to->normals + 3 * x, 0, 3 * n * sizeof *to->normals);
 }
 

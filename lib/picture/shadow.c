@@ -114,7 +114,7 @@ static algsurf_status send_rays(algsurf_i_worker *worker) {
     if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
     worker->tally->without_memory += status < 0;
     worker->tally->stats.shadow_rays += b->count;
-    for (size_t i = 0; i < b->count; i++) *b->seen[i] += state[i] == ALGSURF_MISS;
+    for (size_t i = 0; i < b->count; i++) *b->seen[i] += state[i] == ALGSURF_STATE_MISS;
     b->count = 0;
     return ALGSURF_OK;
 }

@@ -17,7 +17,7 @@ static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *r
 static void show(const algsurf_i_picture *picture, int x, double t, algsurf_i_line *line, int point) {
     int i = point >= 0 ? point : line->count++;
     line->pixel[i] = x;
-    line->state[x] = ALGSURF_THIN;
+    line->state[x] = ALGSURF_STATE_THIN;
     line->points.t[i] = t;
     line->bytes[i] = 0;
     for (int k = 0; k < 3; k++) {
@@ -78,9 +78,9 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
     const algsurf_i_point_job points = {scene->surface, &job, NULL};
     picture->code->find_thin(&points, dips, worker->tiling.thin);
     for (int i = 0; i < dips->count; i++) {
-        const int x = dips->at[i],
-                  is_hit = line->state[x] == ALGSURF_HIT && scene->intersect.undecided_as != ALGSURF_AS_HIT;
-        if (!(depth[i] < HUGE_VAL) || line->state[x] == ALGSURF_THIN) continue;
+        const int x = dips->at[i], is_hit = line->state[x] == ALGSURF_STATE_HIT &&
+                                            scene->intersect.undecided_as != ALGSURF_AS_HIT;
+        if (!(depth[i] < HUGE_VAL) || line->state[x] == ALGSURF_STATE_THIN) continue;
         algsurf_ray ray;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
         double per_t = depth_per_t(picture, &ray);

@@ -5,7 +5,7 @@
 #include "impl.h"
 
 /* So line->state tells of every point what it is. */
-_Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_HIT, "both are the state of a pixel");
+_Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_STATE_HIT, "both are the state of a pixel");
 
 enum { GROUP = 16 }; /* undecided pixels that are solved together */
 
@@ -35,9 +35,9 @@ static void add_point(algsurf_i_worker *worker, int x, const algsurf_ray *ray, c
     line->state[x] = (uint8_t)hit->state;
     if (line->way) line->way[x] |= ALGSURF_WAY_SINGLE;
     stats->single_rays++;
-    stats->hits += hit->state == ALGSURF_HIT;
-    stats->undecided += hit->state == ALGSURF_UNDECIDED;
-    if (hit->state == ALGSURF_MISS) return;
+    stats->hits += hit->state == ALGSURF_STATE_HIT;
+    stats->undecided += hit->state == ALGSURF_STATE_UNDECIDED;
+    if (hit->state == ALGSURF_STATE_MISS) return;
     line->pixel[line->count++] = x;
     points->t[i] = hit->t;
     for (int k = 0; k < 3; k++) {

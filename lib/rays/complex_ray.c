@@ -186,7 +186,7 @@ static void give_roots(const complex_query *q, const algsurf_complex_root *s, in
 
 /* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
-    hit->state = ALGSURF_UNDECIDED;
+    hit->state = ALGSURF_STATE_UNDECIDED;
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
     hit->t_hi = q->ray.t_max;
@@ -281,11 +281,11 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
     give_roots(q, s, count, roots);
     int selected = choose(q, s, local, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
-    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNDECIDED;
+    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_STATE_HIT : ALGSURF_STATE_UNDECIDED;
     hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;
     hit->side = 0;
     hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;
-    if (hit->state == ALGSURF_UNDECIDED && local[index].multiplicity > 1)
+    if (hit->state == ALGSURF_STATE_UNDECIDED && local[index].multiplicity > 1)
         hit->reason = ALGSURF_UNDECIDED_MULTIPLE;
     set_hit(q, local + index, s + index, hit, root);
 }

@@ -17,8 +17,8 @@
 #include "../base/vec.h"
 
 void algsurf_i_set_miss(algsurf_hit *hit, int side) {
-    *hit =
-        (algsurf_hit){.state = ALGSURF_MISS, .side = side, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
+    *hit = (algsurf_hit){
+        .state = ALGSURF_STATE_MISS, .side = side, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
 /* The point of a hit. */
@@ -65,7 +65,7 @@ static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const alg
     algsurf_i_frame_of(surface, &point, 0, &p.frame);
     for (int i = 0; i < 3; i++) x[i] = p.frame.X[i].hi;
     if (root->multiplicity == 1) polish(&p, root, x);
-    *hit = (algsurf_hit){.state = ALGSURF_HIT,
+    *hit = (algsurf_hit){.state = ALGSURF_STATE_HIT,
                          .reason = ALGSURF_OK,
                          .multiplicity = root->multiplicity,
                          .side = root->side,
@@ -84,7 +84,7 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                              : isfinite(lo)   ? lo
                                              : isfinite(hi)   ? hi
                                                               : 0;
-    *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
+    *hit = (algsurf_hit){.state = ALGSURF_STATE_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
     for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(ray, i, t);
 }
 
@@ -140,10 +140,10 @@ static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray
 static void settle_undecided(int as, algsurf_hit *hits, int *count) {
     int kept = 0, side = *count ? 0 : hits->side;
     for (int i = 0; i < *count; i++) {
-        int undecided = hits[i].state == ALGSURF_UNDECIDED;
+        int undecided = hits[i].state == ALGSURF_STATE_UNDECIDED;
         if (undecided && as == ALGSURF_AS_MISS) continue;
         hits[kept] = hits[i];
-        if (undecided && as == ALGSURF_AS_HIT) hits[kept].state = ALGSURF_HIT;
+        if (undecided && as == ALGSURF_AS_HIT) hits[kept].state = ALGSURF_STATE_HIT;
         kept++;
     }
     if (!kept) hits->side = side;
@@ -190,9 +190,9 @@ algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *r
     int count;
     algsurf_status status = find(q, ray, ALGSURF_WANT_ANY, tried, found, &count, &exact);
     if (status != ALGSURF_OK) return status;
-    *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
+    *state = count ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS;
     for (int i = 0; i < count; i++)
-        if (found[i].state == ALGSURF_HIT) *state = ALGSURF_HIT;
+        if (found[i].state == ALGSURF_STATE_HIT) *state = ALGSURF_STATE_HIT;
     return ALGSURF_OK;
 }
 

@@ -27,7 +27,7 @@ static int direction_of(const algsurf_ray *ray, const algsurf_hit *hit, int side
 static algsurf_status check(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_hit *hit,
                             int side, const double *start) {
     if (!surface || !hit || !start || (side != -1 && side != 1)) return ALGSURF_E_ARGUMENT;
-    if (hit->state != ALGSURF_HIT) return ALGSURF_E_ARGUMENT;
+    if (hit->state != ALGSURF_STATE_HIT) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(hit->position) || !algsurf_is_finite3(hit->normal)) return ALGSURF_E_NOT_FINITE;
     return algsurf_i_ray_check(ray);
 }

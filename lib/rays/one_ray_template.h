@@ -95,7 +95,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
         s->k.undecided = no_lane();
         hit_as_it_is(s, v[0], &hit);
     }
-    to->state = ALGSURF_HIT;
+    to->state = ALGSURF_STATE_HIT;
     to->reason = ALGSURF_OK;
     to->multiplicity = 1;
     to->side = s->k.at.side[0] ? -1 : 1;
@@ -156,7 +156,7 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     begin_far(job, &first, &s.ray, &s.ends);
     for (;;) {
         if (first_bracket(&s)) continue;
-        if (job->any && any(s.k.hit)) return hits->state = ALGSURF_HIT, 1;
+        if (job->any && any(s.k.hit)) return hits->state = ALGSURF_STATE_HIT, 1;
         while (any(s.k.hit & ~s.k.undecided)) {
             if (!make_hit(&s, hits + count)) return -1;
             if (++count == most) return count;

@@ -4,7 +4,8 @@
  * The packet code (packet_template.h) reads the caller's arrays and writes the answers it is sure of; of the
  * others it writes ALGSURF_LANE_UNDECIDED as state.  Those rays go on to intersect.c, and so do all rays of
  * calls that the packet code is not made for.  No answer depends on what else is in a packet, so a ray has
- * the same bits alone as in company. */
+ * the same bits alone as in company; and packets that are no arrays of doubles, or have bad rays in them, go
+ * piece by piece. */
 #include "../base/arithmetic.h"
 #include <math.h>
 
@@ -18,20 +19,39 @@ const char *algsurf_kernel_name(int index) {
     return kernel ? kernel->name : NULL;
 }
 
+enum { PIECE = 32 };
+
+/* Some rays of a packet as doubles, side by side; those that are refused are not active. */
+typedef struct piece {
+    double number[8][PIECE];
+    unsigned char active[PIECE];
+} piece;
+
+/* Number i of an array of doubles or floats, of which one may be null; where both are, what is meant by that.
+ */
+static double number_at(const double *doubles, const float *floats, ptrdiff_t at, double otherwise) {
+    return doubles ? doubles[at] : floats ? floats[at] : otherwise;
+}
+
 static algsurf_ray ray_of(const algsurf_ray_packet *rays, size_t i) {
+    const ptrdiff_t at = (ptrdiff_t)i * (rays->step ? rays->step : 1);
     algsurf_ray ray;
     for (int k = 0; k < 3; k++) {
-        ray.origin[k] = rays->origin[k][i];
-        ray.direction[k] = rays->direction[k][i];
+        ray.origin[k] = number_at(rays->origin[k], rays->float_origin[k], at, 0);
+        ray.direction[k] = number_at(rays->direction[k], rays->float_direction[k], at, 0);
     }
-    ray.t_min = rays->t_min ? rays->t_min[i] : 0;
-    ray.t_max = rays->t_max ? rays->t_max[i] : INFINITY;
+    ray.t_min = number_at(rays->t_min, rays->float_t_min, at, 0);
+    ray.t_max = number_at(rays->t_max, rays->float_t_max, at, INFINITY);
     return ray;
 }
 
-/* Are all rays certainly good ones?  Without branches. */
+static int is_active(const algsurf_ray_packet *rays, size_t i) { return !rays->active || rays->active[i]; }
+
+/* Can the packet code read the arrays as they are, and are all rays certainly good ones?  Without branches.
+ */
 static int all_good(const algsurf_ray_packet *rays) {
-    int good = 1;
+    int good = (rays->step == 0 || rays->step == 1) && rays->origin[0];
+    if (!good) return 0;
     for (size_t i = 0; i < rays->count; i++) {
         double size = 0, zero = 0;
         for (int k = 0; k < 3; k++) {
@@ -45,18 +65,18 @@ static int all_good(const algsurf_ray_packet *rays) {
     return good;
 }
 
-static algsurf_status check_rays(const algsurf_ray_packet *rays) {
-    if (rays->count == 0) return ALGSURF_OK;
-    for (int k = 0; k < 3; k++)
-        if (!rays->origin[k] || !rays->direction[k]) return ALGSURF_E_ARGUMENT;
-    if (!rays->active && all_good(rays)) return ALGSURF_OK;
-    for (size_t i = 0; i < rays->count; i++) {
-        if (rays->active && !rays->active[i]) continue;
-        algsurf_ray ray = ray_of(rays, i);
-        algsurf_status status = algsurf_i_ray_check(&ray);
-        if (status != ALGSURF_OK) return status;
+/* Doubles or floats, not both, and no origin or direction is missing. */
+static int has_arrays(const algsurf_ray_packet *rays) {
+    int doubles = rays->t_min || rays->t_max, floats = rays->float_t_min || rays->float_t_max, missing = 0;
+    for (int k = 0; k < 3; k++) {
+        doubles |= rays->origin[k] || rays->direction[k];
+        floats |= rays->float_origin[k] || rays->float_direction[k];
     }
-    return ALGSURF_OK;
+    for (int k = 0; k < 3; k++) {
+        missing |= floats ? !rays->float_origin[k] : !rays->origin[k];
+        missing |= floats ? !rays->float_direction[k] : !rays->direction[k];
+    }
+    return rays->count == 0 || !(missing || (doubles && floats));
 }
 
 /* Reads and checks a caller's arguments. */
@@ -64,8 +84,8 @@ static algsurf_status prepare(algsurf_i_query *q, algsurf_ray_packet *rays, cons
                               const algsurf_extent *extent, const algsurf_ray_packet *given,
                               const algsurf_intersect_options *options) {
     if (!surface || !given || !algsurf_options_read(rays, sizeof *rays, given)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_rays(rays);
-    if (status == ALGSURF_OK) status = algsurf_i_query_read(q, surface, extent, options);
+    if (!has_arrays(rays)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_query_read(q, surface, extent, options);
     return status == ALGSURF_OK && q->options.observer ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -79,7 +99,7 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
                            const algsurf_hit_packet *hits) {
     if (!q->fits_lanes || q->has_method) {
         for (size_t i = 0; i < rays->count; i++)
-            if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_UNDECIDED;
+            if (is_active(rays, i)) hits->state[i] = ALGSURF_LANE_UNDECIDED;
         return;
     }
     algsurf_i_rays_job job = q->job;
@@ -89,11 +109,12 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
 }
 
 static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
-    return (!rays->active || rays->active[i]) && state[i] == ALGSURF_LANE_UNDECIDED;
+    return is_active(rays, i) && state[i] == ALGSURF_LANE_UNDECIDED;
 }
 
 static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hit *hit) {
     hits->state[i] = (unsigned char)hit->state;
+    if (hits->reason) hits->reason[i] = (signed char)hit->reason;
     if (hits->multiplicity) hits->multiplicity[i] = hit->multiplicity;
     if (hits->side) hits->side[i] = (signed char)hit->side;
     if (hits->t) hits->t[i] = hit->t;
@@ -107,7 +128,7 @@ static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hi
 
 /* A ray that could not be decided for want of memory. */
 static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
-    *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
+    *hit = (algsurf_hit){.state = ALGSURF_STATE_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
     hit->t = hit->t_lo = ray->t_min;
     hit->t_hi = ray->t_max;
 }
@@ -117,7 +138,7 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
                        const algsurf_hit_packet *hits, size_t i) {
     int open = 0;
     for (int k = 0; k < 3; k++) open |= hits->normal[k] && isnan(hits->normal[k][i]);
-    if (!open || hits->state[i] != ALGSURF_HIT || (rays->active && !rays->active[i])) return;
+    if (!open || hits->state[i] != ALGSURF_STATE_HIT || !is_active(rays, i)) return;
     algsurf_ray ray = ray_of(rays, i);
     algsurf_hit hit;
     uint64_t exact = 0;
@@ -131,6 +152,7 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
                                               const algsurf_hit_packet *hits, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     for (size_t i = 0; i < rays->count; i++) {
+        if (hits->reason && is_active(rays, i)) hits->reason[i] = ALGSURF_OK;
         if (!left_alone(rays, hits->state, i)) {
             set_normal(q, rays, hits, i);
             continue;
@@ -147,6 +169,90 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
     return status;
 }
 
+static algsurf_status occlude(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                              unsigned char *state) {
+    algsurf_status status = ALGSURF_OK;
+    for (size_t i = 0; i < rays->count; i++) {
+        if (!left_alone(rays, state, i)) continue;
+        algsurf_ray ray = ray_of(rays, i);
+        int one = ALGSURF_STATE_UNDECIDED;
+        algsurf_status decided = algsurf_i_occluded(q, &ray, 1, &one);
+        if (decided != ALGSURF_OK) status = decided;
+        state[i] = (unsigned char)one;
+    }
+    return status;
+}
+
+/* Rays that are good doubles, side by side. */
+static algsurf_status answer(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
+                             const algsurf_hit_packet *hits, uint64_t *exact) {
+    solve_together(q, rays, any, hits);
+    return any ? occlude(q, rays, hits->state) : finish(q, rays, hits, exact);
+}
+
+/* ---- packets that are no such arrays, or have bad rays ---- */
+
+static algsurf_hit_packet hits_from(const algsurf_hit_packet *hits, size_t first) {
+    algsurf_hit_packet from = *hits;
+    double **const numbers[] = {&from.t,       &from.t_lo,        &from.t_hi,
+                                from.position, from.position + 1, from.position + 2,
+                                from.normal,   from.normal + 1,   from.normal + 2};
+    from.state += first;
+    if (from.reason) from.reason += first;
+    if (from.multiplicity) from.multiplicity += first;
+    if (from.side) from.side += first;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (*numbers[i]) *numbers[i] += first;
+    return from;
+}
+
+/* The rays from `first` on that fit into a piece; the first error of a bad one goes to *status. */
+static algsurf_ray_packet take_piece(const algsurf_ray_packet *rays, size_t first, piece *p,
+                                     const algsurf_hit_packet *hits, algsurf_status *status) {
+    double(*x)[PIECE] = p->number;
+    const size_t count = rays->count - first < PIECE ? rays->count - first : PIECE;
+    for (size_t i = 0; i < count; i++) {
+        p->active[i] = is_active(rays, first + i) != 0;
+        if (!p->active[i]) continue;
+        const algsurf_ray ray = ray_of(rays, first + i);
+        for (int k = 0; k < 3; k++) x[k][i] = ray.origin[k], x[3 + k][i] = ray.direction[k];
+        x[6][i] = ray.t_min, x[7][i] = ray.t_max;
+        algsurf_status bad = algsurf_i_ray_check(&ray);
+        if (bad == ALGSURF_OK) continue;
+        algsurf_hit refused;
+        algsurf_i_set_miss(&refused, 0);
+        refused.state = ALGSURF_STATE_REFUSED, refused.reason = bad;
+        store_hit(hits, i, &refused);
+        p->active[i] = 0;
+        if (*status == ALGSURF_OK) *status = bad;
+    }
+    return (algsurf_ray_packet){
+        sizeof *rays, count, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], p->active, 0, {NULL}, {NULL},
+        NULL,         NULL};
+}
+
+static ALGSURF_NOINLINE algsurf_status answer_in_pieces(const algsurf_i_query *q,
+                                                        const algsurf_ray_packet *rays, int any,
+                                                        const algsurf_hit_packet *hits, uint64_t *exact) {
+    algsurf_status status = ALGSURF_OK;
+    piece p;
+    for (size_t first = 0; first < rays->count; first += PIECE) {
+        const algsurf_hit_packet to = hits_from(hits, first);
+        const algsurf_ray_packet some = take_piece(rays, first, &p, &to, &status);
+        algsurf_status one = answer(q, &some, any, &to, exact);
+        if (status == ALGSURF_OK) status = one;
+    }
+    return status;
+}
+
+static algsurf_status answer_all(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
+                                 const algsurf_hit_packet *hits, uint64_t *exact) {
+    if (!hits->state) return rays->count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    return all_good(rays) ? answer(q, rays, any, hits, exact) : answer_in_pieces(q, rays, any, hits, exact);
+}
+
+/* ---- the calls ---- */
+
 ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface,
                                                            const algsurf_extent *extent,
                                                            const algsurf_ray_packet *rays,
@@ -157,10 +263,7 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
     algsurf_hit_packet hits;
     if (!to || !algsurf_options_read(&hits, sizeof hits, to)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
-    if (status != ALGSURF_OK) return status;
-    if (!hits.state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, &read, 0, &hits);
-    return finish(&q, &read, &hits, exact);
+    return status == ALGSURF_OK ? answer_all(&q, &read, 0, &hits, exact) : status;
 }
 
 static algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -168,19 +271,10 @@ static algsurf_status any(const algsurf_surface *surface, const algsurf_extent *
                           unsigned char *state) {
     algsurf_i_query q;
     algsurf_ray_packet rays;
+    uint64_t exact = 0;
     algsurf_status status = prepare(&q, &rays, surface, extent, given, options);
-    if (status != ALGSURF_OK) return status;
-    if (!state) return rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, &rays, 1, &(algsurf_hit_packet){.state = state});
-    for (size_t i = 0; i < rays.count; i++) {
-        if (!left_alone(&rays, state, i)) continue;
-        algsurf_ray ray = ray_of(&rays, i);
-        int one = ALGSURF_UNDECIDED;
-        algsurf_status decided = algsurf_i_occluded(&q, &ray, 1, &one);
-        if (decided != ALGSURF_OK) status = decided;
-        state[i] = (unsigned char)one;
-    }
-    return status;
+    const algsurf_hit_packet hits = {.state = state};
+    return status == ALGSURF_OK ? answer_all(&q, &rays, 1, &hits, &exact) : status;
 }
 
 static algsurf_status packet(const algsurf_surface *surface, const algsurf_extent *extent,

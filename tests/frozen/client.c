@@ -76,17 +76,17 @@ static void check_rays(const algsurf_surface *s) {
     o.observer = NULL, o.planes = &plane, o.plane_count = 1;
     {
         algsurf_hit hit, hits[2];
-        int state = ALGSURF_MISS;
+        int state = ALGSURF_STATE_MISS;
         int count = 0;
         const algsurf_intersect_options *options = at_edge(&o, sizeof o);
         CHECK(algsurf_intersect_first(s, &extent, &along_x, options, &hit) == ALGSURF_OK);
-        CHECK(hit.state == ALGSURF_HIT && hit.reason == ALGSURF_OK && near(hit.t, 3) &&
+        CHECK(hit.state == ALGSURF_STATE_HIT && hit.reason == ALGSURF_OK && near(hit.t, 3) &&
               near(hit.normal[0], -1));
         CHECK(hit.multiplicity == 1 && hit.side == 1);
         CHECK(hit.t_lo <= 3 && 3 <= hit.t_hi && near(hit.position[0], -1));
         CHECK(algsurf_intersect_all(s, NULL, &along_x, options, hits, 2, &count) == ALGSURF_OK);
         CHECK(count == 2 && near(hits[0].t, 3) && near(hits[1].t, 5));
-        CHECK(algsurf_occluded(s, NULL, &along_x, options, &state) == ALGSURF_OK && state == ALGSURF_HIT);
+        CHECK(algsurf_occluded(s, NULL, &along_x, options, &state) == ALGSURF_OK && state == ALGSURF_STATE_HIT);
     }
 }
 
@@ -115,15 +115,15 @@ static void check_packets(const algsurf_surface *s) {
                 &(algsurf_hit_packet){
                     sizeof hits, state, t, t_lo, t_hi, {NULL, NULL, NULL}, {NULL, NULL, NULL}, NULL, NULL}) ==
             ALGSURF_OK);
-        CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS && near(t[0], 3));
-        CHECK(algsurf_occluded_packet(s, NULL, given, NULL, state) == ALGSURF_OK && state[0] == ALGSURF_HIT);
+        CHECK(state[0] == ALGSURF_STATE_HIT && state[1] == ALGSURF_STATE_MISS && near(t[0], 3));
+        CHECK(algsurf_occluded_packet(s, NULL, given, NULL, state) == ALGSURF_OK && state[0] == ALGSURF_STATE_HIT);
     }
     rays.size = sizeof rays;
     {
         memset(state, 9, sizeof state);
         memset(normal, 0, sizeof normal), memset(side, 0, sizeof side);
         CHECK(algsurf_intersect_packet(s, NULL, &rays, NULL, at_edge(&hits, sizeof hits)) == ALGSURF_OK);
-        CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS);
+        CHECK(state[0] == ALGSURF_STATE_HIT && state[1] == ALGSURF_STATE_MISS);
         CHECK(near(normal[0][0], -1));
         CHECK(side[0] == 1);
     }
@@ -138,7 +138,7 @@ static void check_complex(const algsurf_surface *s) {
         algsurf_complex root;
         CHECK(algsurf_intersect_complex(s, NULL, &along_x, at_edge(&space, sizeof space), NULL, NULL, &hit,
                                         &root) == ALGSURF_OK);
-        CHECK(hit.state == ALGSURF_HIT && near(root.re, 3) && near(root.im, 0));
+        CHECK(hit.state == ALGSURF_STATE_HIT && near(root.re, 3) && near(root.im, 0));
     }
 }
 
@@ -240,12 +240,12 @@ static void check_picture(const algsurf_surface *s) {
         CHECK(given->rays == W * H && given->hits > 32);
     }
     CHECK(pixels[0] == 0 && pixels[3 * MIDDLE] > 100);
-    CHECK(state[0] == ALGSURF_MISS && isinf(t[0]) && normals[2] == 0);
+    CHECK(state[0] == ALGSURF_STATE_MISS && isinf(t[0]) && normals[2] == 0);
     CHECK(way[0] <= ALGSURF_WAY_SINGLE);
-    CHECK(state[MIDDLE] == ALGSURF_HIT && t[MIDDLE] > 2 && t[MIDDLE] < 4 && normals[3 * MIDDLE + 2] > 0.9F);
+    CHECK(state[MIDDLE] == ALGSURF_STATE_HIT && t[MIDDLE] > 2 && t[MIDDLE] < 4 && normals[3 * MIDDLE + 2] > 0.9F);
     CHECK(algsurf_scene_set_clip(scene, &lower_half, 1) == ALGSURF_OK);
     CHECK(algsurf_render(scene, &o, &planes, NULL) == ALGSURF_OK);
-    CHECK(state[MIDDLE] == ALGSURF_HIT && t[MIDDLE] > 4);
+    CHECK(state[MIDDLE] == ALGSURF_STATE_HIT && t[MIDDLE] > 4);
     algsurf_scene_free(scene);
 }
 

@@ -101,10 +101,10 @@ static void check_lanes(const packet *p, const algsurf_extent *extent) {
         one.t[i] = hit.t, one.t_lo[i] = hit.t_lo, one.t_hi[i] = hit.t_hi;
         for (int k = 0; k < 3; k++) one.position[k][i] = hit.position[k], one.normal[k][i] = hit.normal[k];
         check_bits(p, &one, (size_t)i);
-        fuzz_check(hit.state != ALGSURF_UNDECIDED && (int)occluded == hit.state);
+        fuzz_check(hit.state != ALGSURF_STATE_UNDECIDED && (int)occluded == hit.state);
         ask_single(p, i, extent, ALGSURF_TIER_BOUNDED, &hit, &occluded);
-        fuzz_check(hit.state == ALGSURF_UNDECIDED || hit.state == p->state[i]);
-        fuzz_check(occluded == ALGSURF_UNDECIDED || (int)occluded == p->occluded[i]);
+        fuzz_check(hit.state == ALGSURF_STATE_UNDECIDED || hit.state == p->state[i]);
+        fuzz_check(occluded == ALGSURF_STATE_UNDECIDED || (int)occluded == p->occluded[i]);
     }
 }
 
@@ -114,7 +114,8 @@ static const char *form(const algsurf_hit *h) {
     double reach = fmax(fabs(h->t_lo), fabs(h->t_hi));
     int underflow = reach > 0 && fabs(h->t) < 0x1p-960;
     for (int k = 0; k < 3; k++)
-        if (h->state != ALGSURF_MISS && (underflow || !isfinite(reach * c.ray.direction[k]))) return NULL;
+        if (h->state != ALGSURF_STATE_MISS && (underflow || !isfinite(reach * c.ray.direction[k])))
+            return NULL;
     return intersect_form(&c, h);
 }
 

@@ -79,7 +79,7 @@ static int answers_around(const view *v, int pixel, int *state, double t[2]) {
         algsurf_hit hit;
         if (algsurf_camera_ray(&v->camera, SIDE, SIDE, x, y, &ray) != ALGSURF_OK) return 0;
         if (algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit) != ALGSURF_OK) return 0;
-        if (hit.state == ALGSURF_UNDECIDED || (i > 0 && hit.state != *state)) return 0;
+        if (hit.state == ALGSURF_STATE_UNDECIDED || (i > 0 && hit.state != *state)) return 0;
         *state = hit.state;
         t[0] = fmin(t[0], hit.t), t[1] = fmax(t[1], hit.t);
     }
@@ -88,22 +88,22 @@ static int answers_around(const view *v, int pixel, int *state, double t[2]) {
 
 static void check_pixels(const view *v, const picture *p) {
     for (int i = 0; i < PIXELS; i++) {
-        int state = ALGSURF_MISS;
+        int state = ALGSURF_STATE_MISS;
         double t[2];
         int way = p->ways[i] & 3;
-        fuzz_check(p->hits[i] >= 0 && p->states[i] <= ALGSURF_UNDECIDED);
-        fuzz_check(way != ALGSURF_WAY_EMPTY || p->states[i] == ALGSURF_MISS);
-        fuzz_check(way != ALGSURF_WAY_SHEET || p->states[i] == ALGSURF_HIT);
+        fuzz_check(p->hits[i] >= 0 && p->states[i] <= ALGSURF_STATE_UNDECIDED);
+        fuzz_check(way != ALGSURF_WAY_EMPTY || p->states[i] == ALGSURF_STATE_MISS);
+        fuzz_check(way != ALGSURF_WAY_SHEET || p->states[i] == ALGSURF_STATE_HIT);
         if (!answers_around(v, i, &state, t)) continue;
         if (state != p->states[i])
             fprintf(stderr, "pixel %d,%d: %a, single rays say %d at %a\n", i % SIDE, i / SIDE, p->hits[i],
                     state, t[0]);
         fuzz_check(state == p->states[i]);
         double slack = 8 * (t[1] - t[0]) + 1e-9 * t[1];
-        if (state == ALGSURF_HIT && !(p->hits[i] >= t[0] - slack && p->hits[i] <= t[1] + slack))
+        if (state == ALGSURF_STATE_HIT && !(p->hits[i] >= t[0] - slack && p->hits[i] <= t[1] + slack))
             fprintf(stderr, "pixel %d,%d: %a, single rays say %a to %a\n", i % SIDE, i / SIDE, p->hits[i],
                     t[0], t[1]);
-        if (state == ALGSURF_HIT) fuzz_check(p->hits[i] >= t[0] - slack && p->hits[i] <= t[1] + slack);
+        if (state == ALGSURF_STATE_HIT) fuzz_check(p->hits[i] >= t[0] - slack && p->hits[i] <= t[1] + slack);
     }
 }
 
@@ -112,7 +112,7 @@ static void check_picture(const view *v) {
     const char *kernel = algsurf_kernel_name(0);
     if (draw(v, kernel, &p) != ALGSURF_OK) return;
     uint64_t samples = (uint64_t)(PIXELS * v->samples * v->samples), drawn = 0;
-    for (int i = 0; i < PIXELS; i++) drawn += p.states[i] != ALGSURF_MISS;
+    for (int i = 0; i < PIXELS; i++) drawn += p.states[i] != ALGSURF_STATE_MISS;
     fuzz_check(p.stats.rays == samples && p.stats.hits + p.stats.undecided <= samples);
     fuzz_check(drawn <= p.stats.hits + p.stats.undecided);
     fuzz_check(v->samples > 1 || drawn == p.stats.hits + p.stats.undecided);
