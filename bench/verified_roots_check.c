@@ -37,16 +37,17 @@ static void leja_order(const answer *a, int *order) {
 
 /* The coefficients of the product of X - z over n roots z, n > 0, lowest first. */
 static void multiply_out(const algsurf_cinterval *z, int n, algsurf_cinterval *product) {
+    const algsurf_cinterval zero = {{0, 0}, {0, 0}}, one = {{1, 1}, {0, 0}};
     algsurf_cinterval left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1];
     int half = n / 2, rest = n - half;
     if (n == 1) {
-        product[0] = algsurf_cinterval_neg(z[0]);
-        product[1] = algsurf_cinterval_point((algsurf_complex){1, 0});
+        product[0] = algsurf_cinterval_sub(zero, z[0]);
+        product[1] = one;
         return;
     }
     multiply_out(z, half, left);
     multiply_out(z + half, rest, right);
-    for (int k = 0; k <= n; k++) product[k] = algsurf_cinterval_point((algsurf_complex){0, 0});
+    for (int k = 0; k <= n; k++) product[k] = zero;
     for (int i = 0; i <= half; i++)
         for (int j = 0; j <= rest; j++)
             product[i + j] = algsurf_cinterval_add(product[i + j], algsurf_cinterval_mul(left[i], right[j]));
@@ -54,8 +55,9 @@ static void multiply_out(const algsurf_cinterval *z, int n, algsurf_cinterval *p
 
 /* The multiplicities add up to the degree of p. */
 static int product_holds(const polynomial *p, const answer *a) {
-    algsurf_cinterval z[ALGSURF_MAX_DEGREE], product[ALGSURF_MAX_DEGREE + 1];
-    algsurf_cinterval leading = algsurf_cinterval_point(p->c[p->degree]);
+    algsurf_cinterval z[ALGSURF_MAX_DEGREE] = {{{0, 0}, {0, 0}}}, product[ALGSURF_MAX_DEGREE + 1];
+    const algsurf_complex top = p->c[p->degree];
+    const algsurf_cinterval leading = {{top.re, top.re}, {top.im, top.im}};
     int order[ALGSURF_MAX_DEGREE], n = 0;
     leja_order(a, order);
     for (int k = 0; k < a->count; k++)

@@ -225,16 +225,15 @@ TEST(test_zero_ends) {
 
 /* The product of (X - box), times the leading coefficient, encloses the coefficients. */
 static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
-    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
+    const algsurf_cinterval zero = {{0, 0}, {0, 0}};
+    algsurf_cinterval q[CASE_MAX + 2] = {zero};
     int n = 0;
-    q[0] = algsurf_cinterval_point(p->c[p->n]);
+    q[0] = (algsurf_cinterval){{p->c[p->n].re, p->c[p->n].re}, {p->c[p->n].im, p->c[p->n].im}};
     for (int i = 0; i < count; i++)
         for (int m = 0; m < e[i].multiplicity; m++) {
             n++;
-            for (int k = n; k >= 0; k--) {
-                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
-                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
-            }
+            for (int k = n; k >= 0; k--)
+                q[k] = algsurf_cinterval_sub(k > 0 ? q[k - 1] : zero, algsurf_cinterval_mul(q[k], e[i].box));
         }
     for (int k = 0; k <= p->n; k++)
         if (!case_in(p->c[k], q[k])) {

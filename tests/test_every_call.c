@@ -1151,25 +1151,11 @@ CALL(algsurf_interval_make) {
     WRITTEN(r);
 }
 
-CALL(algsurf_interval_point) {
-    double x = number(0.1);
-    algsurf_interval r;
-    IN_HOST(r = algsurf_interval_point(x));
-    WRITTEN(r);
-}
-
 CALL(algsurf_interval_contains) {
     algsurf_interval a = interval_made(-1.5, 2.25);
     double x = number(0.5);
     int r;
     IN_HOST(r = algsurf_interval_contains(a, x));
-    WRITTEN(r);
-}
-
-CALL(algsurf_cinterval_point) {
-    algsurf_complex z = complex_made(0.1, -0.3);
-    algsurf_cinterval r;
-    IN_HOST(r = algsurf_cinterval_point(z));
     WRITTEN(r);
 }
 
@@ -1181,8 +1167,6 @@ CALL(algsurf_cinterval_contains) {
     WRITTEN(r);
 }
 
-ONE(I, I, algsurf_interval_neg)
-ONE(I, I, algsurf_interval_sqr)
 ONE(I, I, algsurf_interval_abs)
 ONE(I, D, algsurf_interval_width)
 ONE(I, D, algsurf_interval_mid)
@@ -1190,18 +1174,13 @@ TWO(I, I, algsurf_interval_add)
 TWO(I, I, algsurf_interval_sub)
 TWO(I, I, algsurf_interval_mul)
 TWO(I, I, algsurf_interval_hull)
-TWO(I, N, algsurf_interval_inside)
 TWO(I, N, algsurf_interval_interior)
 MAY_FAIL(I, I, algsurf_interval_div, a COMMA b)
 MAY_FAIL(I, I, algsurf_interval_pow, a COMMA 3)
 MAY_FAIL(I, I, algsurf_interval_sqrt, a)
 MAY_FAIL(I, I, algsurf_interval_intersect, a COMMA b)
 OF_POLY(I, algsurf_interval_poly)
-OF_POLY(I, algsurf_interval_poly_centred)
 
-ONE(C, C, algsurf_cinterval_neg)
-ONE(C, C, algsurf_cinterval_conj)
-ONE(C, C, algsurf_cinterval_sqr)
 ONE(C, I, algsurf_cinterval_abs)
 ONE(C, D, algsurf_cinterval_width)
 ONE(C, Z, algsurf_cinterval_mid)
@@ -1209,14 +1188,11 @@ TWO(C, C, algsurf_cinterval_add)
 TWO(C, C, algsurf_cinterval_sub)
 TWO(C, C, algsurf_cinterval_mul)
 TWO(C, C, algsurf_cinterval_hull)
-TWO(C, N, algsurf_cinterval_inside)
 TWO(C, N, algsurf_cinterval_interior)
 MAY_FAIL(C, C, algsurf_cinterval_div, a COMMA b)
-MAY_FAIL(C, C, algsurf_cinterval_pow, a COMMA 3)
 MAY_FAIL(C, I, algsurf_cinterval_arg, a)
 MAY_FAIL(C, C, algsurf_cinterval_intersect, a COMMA b)
 OF_POLY(C, algsurf_cinterval_poly)
-OF_POLY(C, algsurf_cinterval_poly_centred)
 
 /* ---- the test ---- */
 

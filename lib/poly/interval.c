@@ -80,6 +80,13 @@ static algsurf_interval power(algsurf_interval a, int n) {
     return (algsurf_interval){odd_power(a.lo, size).lo, odd_power(a.hi, size).hi};
 }
 
+static algsurf_status raise_to(algsurf_interval a, int n, algsurf_interval *result) {
+    if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
+    if (n < 0 && algsurf_i_interval_has_zero(a)) return ALGSURF_E_RANGE;
+    *result = power(a, n);
+    return ALGSURF_OK;
+}
+
 #define RANGE algsurf_interval
 #define POINT double
 #define CALL(name) interval_##name
@@ -90,3 +97,5 @@ ALGSURF_I_PUBLIC(algsurf_status, interval_make, make, (double lo, double hi, alg
                  (lo, hi, result))
 ALGSURF_I_PUBLIC(algsurf_status, interval_sqrt, square_root, (algsurf_interval a, algsurf_interval *result),
                  (a, result))
+ALGSURF_I_PUBLIC(algsurf_status, interval_pow, raise_to,
+                 (algsurf_interval a, int n, algsurf_interval *result), (a, n, result))

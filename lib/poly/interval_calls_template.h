@@ -1,7 +1,7 @@
 /* interval_calls_template.h - the public calls that intervals of both kinds have.
  *
  * The includer defines RANGE, the type; POINT, that of its numbers; CALL(name), its calls without a prefix;
- * OP(name), its operations; and power(a, n), of an `a` without 0 where n < 0.
+ * OP(name), its operations.
  *
  * The range of a polynomial.  Horner's scheme overestimates by the first order of the width.  The centred
  * form p(x) = p(m) + q(x) (x - m),   q = the quotient of p - p(m) by x - m, has an excess of the second order
@@ -18,13 +18,6 @@ static algsurf_status divide(RANGE a, RANGE b, RANGE *result) {
     return ALGSURF_OK;
 }
 
-static algsurf_status raise_to(RANGE a, int n, RANGE *result) {
-    if (!result || !OP(valid)(a)) return ALGSURF_E_ARGUMENT;
-    if (n < 0 && OP(has_zero)(a)) return ALGSURF_E_RANGE;
-    *result = power(a, n);
-    return ALGSURF_OK;
-}
-
 static algsurf_status intersect(RANGE a, RANGE b, RANGE *result) {
     if (!result || !OP(valid)(a) || !OP(valid)(b)) return ALGSURF_E_ARGUMENT;
     RANGE both = OP(meet)(a, b);
@@ -33,12 +26,13 @@ static algsurf_status intersect(RANGE a, RANGE b, RANGE *result) {
     return ALGSURF_OK;
 }
 
-static algsurf_status enclose(const RANGE *c, int degree, RANGE x, int centred, RANGE *result) {
+static algsurf_status enclose(const RANGE *c, int degree, RANGE x, RANGE *result) {
     if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !OP(valid)(x))
         return ALGSURF_E_ARGUMENT;
     for (int i = 0; i <= degree; i++)
         if (!OP(valid)(c[i])) return ALGSURF_E_ARGUMENT;
     RANGE m = OP(point)(OP(mid)(x)), y = c[degree], at_m = y, slope = {0};
+    const int centred = OP(width)(x) > 0; /* else x is a number, and the centred form Horner's */
     for (int i = degree - 1; i >= 0; i--) {
         y = OP(add)(OP(mul)(y, x), c[i]);
         if (!centred) continue;
@@ -49,33 +43,22 @@ static algsurf_status enclose(const RANGE *c, int degree, RANGE x, int centred, 
     return ALGSURF_OK;
 }
 
-#define PLAIN(c, degree, x, result) enclose(c, degree, x, 0, result)
-#define CENTRED(c, degree, x, result) enclose(c, degree, x, 1, result)
-
 /* The name is expanded before ALGSURF_I_PUBLIC joins it to others. */
 #define PUBLIC(type, name, work, parameters, arguments)                                                      \
     ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)
 #define PUBLIC_1(type, name) PUBLIC(type, CALL(name), OP(name), (RANGE a), (a))
 #define PUBLIC_2(type, name) PUBLIC(type, CALL(name), OP(name), (RANGE a, RANGE b), (a, b))
-#define PUBLIC_POLY(name, work)                                                                              \
-    PUBLIC(algsurf_status, CALL(name), work, (const RANGE *c, int degree, RANGE x, RANGE *result),           \
-           (c, degree, x, result))
 
-PUBLIC(RANGE, CALL(point), OP(point), (POINT x), (x))
-PUBLIC_1(RANGE, neg)
 PUBLIC_2(RANGE, add)
 PUBLIC_2(RANGE, sub)
 PUBLIC_2(RANGE, mul)
 PUBLIC(algsurf_status, CALL(div), divide, (RANGE a, RANGE b, RANGE *result), (a, b, result))
-PUBLIC_1(RANGE, sqr)
-PUBLIC(algsurf_status, CALL(pow), raise_to, (RANGE a, int n, RANGE *result), (a, n, result))
 PUBLIC_1(algsurf_interval, abs)
 PUBLIC_2(RANGE, hull)
 PUBLIC(algsurf_status, CALL(intersect), intersect, (RANGE a, RANGE b, RANGE *result), (a, b, result))
 PUBLIC_1(double, width)
 PUBLIC_1(POINT, mid)
 PUBLIC(int, CALL(contains), OP(contains), (RANGE a, POINT x), (a, x))
-PUBLIC_2(int, inside)
 PUBLIC_2(int, interior)
-PUBLIC_POLY(poly, PLAIN)
-PUBLIC_POLY(poly_centred, CENTRED)
+PUBLIC(algsurf_status, CALL(poly), enclose, (const RANGE *c, int degree, RANGE x, RANGE *result),
+       (c, degree, x, result))

@@ -1,4 +1,4 @@
-/* interval_complex.c - rectangles of the complex plane: division, modulus, powers, the public operations.
+/* interval_complex.c - rectangles of the complex plane: division, modulus, the public operations.
  *
  * Division is a * (1/b) with the exact hull of 1/b up to rounding (Rokne, Lancaster, Complex interval
  * arithmetic, Comm. ACM 14, 1971).  Re 1/b = x / (x^2 + y^2) is harmonic, so its extremes lie on the border
@@ -87,26 +87,9 @@ algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval
         algsurf_i_interval_add(algsurf_i_interval_mul(a.re, b.im), algsurf_i_interval_mul(a.im, b.re))};
 }
 
-/* Doubling as a sum is exact barring overflow, and then rounded outward. */
-algsurf_cinterval algsurf_i_cinterval_sqr(algsurf_cinterval a) {
-    algsurf_interval cross = algsurf_i_interval_mul(a.re, a.im);
-    return (algsurf_cinterval){
-        algsurf_i_interval_sub(algsurf_i_interval_sqr(a.re), algsurf_i_interval_sqr(a.im)),
-        algsurf_i_interval_add(cross, cross)};
-}
-
 algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval b) {
     int i = size_exponent(a), j = size_exponent(b);
     return scale(algsurf_i_cinterval_mul(scale(a, -i), inverse(scale(b, -j))), i - j);
-}
-
-/* For n < 0 the inverse comes first: a power of the rectangle might contain 0 although a does not. */
-static algsurf_cinterval power(algsurf_cinterval a, int n) {
-    algsurf_cinterval y = {{1, 1}, {0, 0}};
-    if (n < 0) a = inverse(a);
-    for (unsigned k = n < 0 ? 0u - (unsigned)n : (unsigned)n; k > 0; k >>= 1, a = algsurf_i_cinterval_sqr(a))
-        if (k & 1) y = algsurf_i_cinterval_mul(y, a);
-    return y;
 }
 
 static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
@@ -125,10 +108,6 @@ static int algsurf_i_cinterval_contains(algsurf_cinterval a, algsurf_complex z) 
     return algsurf_i_interval_contains(a.re, z.re) && algsurf_i_interval_contains(a.im, z.im);
 }
 
-static int algsurf_i_cinterval_inside(algsurf_cinterval a, algsurf_cinterval b) {
-    return algsurf_i_interval_inside(a.re, b.re) && algsurf_i_interval_inside(a.im, b.im);
-}
-
 static int algsurf_i_cinterval_interior(algsurf_cinterval a, algsurf_cinterval b) {
     return algsurf_i_interval_interior(a.re, b.re) && algsurf_i_interval_interior(a.im, b.im);
 }
@@ -139,6 +118,5 @@ static int algsurf_i_cinterval_interior(algsurf_cinterval a, algsurf_cinterval b
 #define OP(name) algsurf_i_cinterval_##name
 #include "interval_calls_template.h"
 
-PUBLIC_1(algsurf_cinterval, conj)
 ALGSURF_I_PUBLIC(algsurf_status, cinterval_arg, argument, (algsurf_cinterval a, algsurf_interval *result),
                  (a, result))

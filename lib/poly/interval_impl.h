@@ -106,14 +106,6 @@ static inline algsurf_cinterval algsurf_i_cinterval_point(algsurf_complex z) {
     return (algsurf_cinterval){algsurf_i_interval_point(z.re), algsurf_i_interval_point(z.im)};
 }
 
-static inline algsurf_cinterval algsurf_i_cinterval_neg(algsurf_cinterval a) {
-    return (algsurf_cinterval){algsurf_i_interval_neg(a.re), algsurf_i_interval_neg(a.im)};
-}
-
-static inline algsurf_cinterval algsurf_i_cinterval_conj(algsurf_cinterval a) {
-    return (algsurf_cinterval){a.re, algsurf_i_interval_neg(a.im)};
-}
-
 /* add, sub, hull, meet. */
 #define ALGSURF_I_BY_COMPONENTS(name)                                                                        \
     static inline algsurf_cinterval algsurf_i_cinterval_##name(algsurf_cinterval a, algsurf_cinterval b) {   \
@@ -126,8 +118,6 @@ ALGSURF_I_BY_COMPONENTS(hull)
 ALGSURF_I_BY_COMPONENTS(meet)
 
 algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b);
-
-algsurf_cinterval algsurf_i_cinterval_sqr(algsurf_cinterval a);
 
 static inline algsurf_complex algsurf_i_cinterval_mid(algsurf_cinterval a) {
     return (algsurf_complex){algsurf_i_interval_mid(a.re), algsurf_i_interval_mid(a.im)};
