@@ -60,13 +60,13 @@ typedef struct work {
     const algsurf_complex *start;
     algsurf_status status;
     int complete, count;
-    algsurf_cpoly_zero zeros[ALGSURF_MAX_DEGREE];
+    algsurf_paper_zero zeros[ALGSURF_MAX_DEGREE];
     algsurf_complex_root boxes[ALGSURF_MAX_DEGREE];
 } work;
 
 static void solve_paper(void *data) {
     work *w = data;
-    w->status = algsurf_cpoly_zeros(w->p->c, NULL, w->p->degree, w->start, NULL, w->zeros, &w->complete);
+    w->status = algsurf_paper_zeros(w->p->c, NULL, w->p->degree, w->start, NULL, w->zeros, &w->complete);
 }
 
 static void solve_robust(void *data) {
@@ -78,7 +78,7 @@ static void solve_robust(void *data) {
 static void read_paper(const work *w, answer *a) {
     *a = (answer){.complete = w->complete, .count = w->p->degree};
     for (int i = 0; i < a->count; i++) {
-        const algsurf_cpoly_zero *zero = &w->zeros[i];
+        const algsurf_paper_zero *zero = &w->zeros[i];
         a->root[i] = (answer_root){zero->box, zero->root, zero->verified, zero->verified && zero->unique};
     }
 }

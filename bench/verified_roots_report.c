@@ -12,7 +12,7 @@ static const char legend[] =
     "  surface    along rays of random pixels of its view in the catalogue, re-centred, the chord inside\n"
     "             its extent scaled to [-1,1]; random-N: coefficients uniform in [-1,1] x [-1,1] i.\n"
     "             Coefficients count as exact.\n"
-    "  solver     robust: algsurf_complex_solver_run; paper: algsurf_cpoly_zeros\n"
+    "  solver     robust: algsurf_complex_solver_run; paper: algsurf_paper_zeros\n"
     "  start      cold: its own (robust), 0 + i (paper); near: the roots of the ray a pixel to the left\n"
     "  complete%  polynomials with all roots in verified boxes that are disjoint\n"
     "  simple%    roots verified to be simple and alone in their box, each counted once\n"

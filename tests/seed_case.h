@@ -5,7 +5,7 @@
 #define SEED_CASE_H
 #include <string.h>
 
-#include "algsurf/allroots.h"
+#include "algsurf/papers.h"
 #include "exact.h"
 
 enum { SEED_DEGREE = 8 };

@@ -12,7 +12,7 @@
 #define SEED 20240608u
 
 /* Each root in one box of its own. */
-static int each_once(const seed_case *c, const algsurf_cpoly_zero *zeros) {
+static int each_once(const seed_case *c, const algsurf_paper_zero *zeros) {
     for (int k = 0; k < c->n; k++) {
         int boxes = 0;
         for (int i = 0; i < c->n; i++) boxes += seed_in(zeros[i].box, c->root[k]);
@@ -26,11 +26,11 @@ TEST(test_finds_all) {
     int complete_ones = 0;
     for (int round = 0; round < 500; round++) {
         seed_case c = seed_random(&seed, 1 + exact_random_int(&seed, SEED_DEGREE), 1);
-        algsurf_cpoly_zero zeros[SEED_DEGREE];
+        algsurf_paper_zero zeros[SEED_DEGREE];
         algsurf_complex start[SEED_DEGREE];
         int complete = -1;
         for (int i = 0; i < c.n; i++) start[i] = (algsurf_complex){0.3 + 0.01 * i, 0.2 - 0.02 * i};
-        assert_ok(algsurf_cpoly_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete));
+        assert_ok(algsurf_paper_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete));
         for (int i = 0; i < c.n; i++) {
             assert_true(!zeros[i].verified || seed_count(&c, zeros[i].box) == 1);
             assert_true(!zeros[i].verified || (zeros[i].unique && zeros[i].inflations >= 1));
@@ -51,7 +51,7 @@ TEST(test_radii_are_handed_on) {
     int complete_ones = 0;
     for (int round = 0; round < 200; round++) {
         seed_case c = seed_random(&seed, 2 + exact_random_int(&seed, 5), 1);
-        algsurf_cpoly_zero zeros[SEED_DEGREE];
+        algsurf_paper_zero zeros[SEED_DEGREE];
         double r[SEED_DEGREE + 1];
         int complete;
         for (int k = 0; k <= c.n; k++) {
@@ -61,7 +61,7 @@ TEST(test_radii_are_handed_on) {
         }
         const algsurf_complex start[SEED_DEGREE] = {{0.3, 0.2}, {-0.1, 0.5}, {0.2, -0.3},
                                                     {0.4, 0.4}, {1, 2},      {2, -1}};
-        assert_ok(algsurf_cpoly_zeros(c.p, r, c.n, start, NULL, zeros, &complete));
+        assert_ok(algsurf_paper_zeros(c.p, r, c.n, start, NULL, zeros, &complete));
         complete_ones += complete;
         assert_true(!complete || each_once(&c, zeros));
     }
@@ -71,31 +71,31 @@ TEST(test_radii_are_handed_on) {
 /* t^2 - 1/4, a sphere seen along a re-centred ray: the cold start stays on the imaginary axis. */
 TEST(test_cold_start_fails_on_even) {
     const algsurf_complex p[] = {{-0.25, 0}, {0, 0}, {1, 0}}, off[] = {{0.1, 1}, {0.1, 1}};
-    algsurf_cpoly_zero zeros[2];
+    algsurf_paper_zero zeros[2];
     int complete = 1;
-    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, NULL, NULL, zeros, &complete));
+    assert_ok(algsurf_paper_zeros(p, NULL, 2, NULL, NULL, zeros, &complete));
     assert_int_equal(complete, 0);
     for (int i = 0; i < 2; i++) assert_true(!zeros[i].converged && !zeros[i].verified && !zeros[i].unique);
-    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, off, NULL, zeros, &complete));
+    assert_ok(algsurf_paper_zeros(p, NULL, 2, off, NULL, zeros, &complete));
     assert_int_equal(complete, 1);
     for (int i = 0; i < 2; i++) assert_true(zeros[i].converged && zeros[i].verified && zeros[i].unique);
 }
 
 /* With few steps the approximations are poor, the quotients worse, and polishing ends on some roots twice. */
 TEST(test_slides_are_noticed) {
-    const algsurf_zero_options few = {sizeof few, 0, 7, 0};
+    const algsurf_paper_options few = {sizeof few, 0, 7, 0};
     uint64_t seed = SEED;
     int slid = 0, saved = 0;
     for (int round = 0; round < 300; round++) {
         seed_case c = seed_random(&seed, 3, 1);
-        algsurf_cpoly_zero z[3];
+        algsurf_paper_zero z[3];
         int complete, verified = 0;
-        assert_ok(algsurf_cpoly_zeros(c.p, NULL, 3, NULL, &few, z, &complete));
+        assert_ok(algsurf_paper_zeros(c.p, NULL, 3, NULL, &few, z, &complete));
         for (int i = 0; i < 3; i++) verified += z[i].verified;
         assert_int_equal(complete, verified == 3 && each_once(&c, z));
         slid += verified == 3 && !complete;
         algsurf_complex first, q[3]; /* what did not converge is not said to have, wherever polishing led */
-        if (algsurf_approximation(c.p, 3, (algsurf_complex){0, 1}, &few, &first, q, NULL) == ALGSURF_OK)
+        if (algsurf_paper_approximation(c.p, 3, (algsurf_complex){0, 1}, &few, &first, q, NULL) == ALGSURF_OK)
             continue;
         assert_true(!z[0].converged);
         saved += z[0].verified;
@@ -168,8 +168,8 @@ TEST(test_quotient_multiplies_out) {
         for (int k = 0; k <= n; k++)
             p[k] = (algsurf_complex){exact_random_wide(&seed, -wide, wide),
                                      exact_random_wide(&seed, -wide, wide)};
-        (void)algsurf_approximation(p, n, start, NULL, &z, q, NULL);
-        if (algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, NULL, NULL) != ALGSURF_OK) continue;
+        (void)algsurf_paper_approximation(p, n, start, NULL, &z, q, NULL);
+        if (algsurf_paper_inclusion(p, NULL, n, z, q, NULL, &Z, Q, NULL, NULL) != ALGSURF_OK) continue;
         verified++;
         for (int k = 0; k < n; k++)
             if (!multiplies_out(p[k], k > 0 ? Q + k - 1 : NULL, Z, Q + k)) {
@@ -190,8 +190,8 @@ TEST(test_highest_degree) {
     static algsurf_cinterval Z, Q[ALGSURF_MAX_POLY_DEGREE];
     int n = ALGSURF_MAX_POLY_DEGREE, unique = 0;
     p[0].re = -1, p[n].re = 1;
-    assert_ok(algsurf_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL));
-    assert_ok(algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL));
+    assert_ok(algsurf_paper_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_inclusion(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL));
     assert_true(unique && seed_in(Z, (algsurf_complex){1, 0}) && Z.re.hi - Z.re.lo < 1e-15);
     for (int k = 0; k < n; k++) assert_true(seed_in(Q[k], (algsurf_complex){1, 0}));
 }
@@ -199,16 +199,16 @@ TEST(test_highest_degree) {
 typedef struct answers {
     algsurf_complex z, q[8];
     algsurf_cinterval Z, Q[8];
-    algsurf_cpoly_zero zeros[8];
+    algsurf_paper_zero zeros[8];
     int steps, unique, inflations, complete, status[3];
 } answers;
 
 static answers ask(const algsurf_complex *p, const double *r, int n, const algsurf_complex *start) {
     answers a;
     memset(&a, 0, sizeof a);
-    a.status[0] = algsurf_approximation(p, n, start[0], NULL, &a.z, a.q, &a.steps);
-    a.status[1] = algsurf_interval_iteration(p, r, n, a.z, a.q, NULL, &a.Z, a.Q, &a.unique, &a.inflations);
-    a.status[2] = algsurf_cpoly_zeros(p, r, n, start, NULL, a.zeros, &a.complete);
+    a.status[0] = algsurf_paper_approximation(p, n, start[0], NULL, &a.z, a.q, &a.steps);
+    a.status[1] = algsurf_paper_inclusion(p, r, n, a.z, a.q, NULL, &a.Z, a.Q, &a.unique, &a.inflations);
+    a.status[2] = algsurf_paper_zeros(p, r, n, start, NULL, a.zeros, &a.complete);
     return a;
 }
 
@@ -219,7 +219,7 @@ static int same(const answers *a, const answers *b) {
                 !memcmp(a->status, b->status, sizeof a->status) && a->steps == b->steps &&
                 a->unique == b->unique && a->inflations == b->inflations && a->complete == b->complete;
     for (int i = 0; i < 8; i++) {
-        const algsurf_cpoly_zero *x = a->zeros + i, *y = b->zeros + i;
+        const algsurf_paper_zero *x = a->zeros + i, *y = b->zeros + i;
         equal = equal && !memcmp(&x->box, &y->box, sizeof x->box) &&
                 !memcmp(&x->root, &y->root, sizeof x->root) && x->verified == y->verified &&
                 x->unique == y->unique && x->converged == y->converged && x->steps == y->steps &&
@@ -260,7 +260,7 @@ typedef struct call {
     algsurf_complex p[3], q[2], start[2];
     double r[3];
     int degree;
-    algsurf_zero_options options;
+    algsurf_paper_options options;
 } call;
 
 static const call good = {{{-2, 0}, {0, 0}, {1, 0}},
@@ -268,7 +268,7 @@ static const call good = {{{-2, 0}, {0, 0}, {1, 0}},
                           {{1, 1}, {1, 1}},
                           {0, 0, 0},
                           2,
-                          {sizeof(algsurf_zero_options), 0, 0, 0}};
+                          {sizeof(algsurf_paper_options), 0, 0, 0}};
 
 /* Expected: the status of the approximation, of the iteration, of all zeros (1: not asked). */
 static void refused(const call *c, int approximation, int iteration, int zeros) {
@@ -278,17 +278,18 @@ static void refused(const call *c, int approximation, int iteration, int zeros) 
     void *out = mark;
     algsurf_complex *z = out;
     algsurf_cinterval *Z = out;
-    algsurf_cpoly_zero *list = out;
+    algsurf_paper_zero *list = out;
     int *count = (int *)out + 900, *other = count + 1;
     if (approximation <= 0)
-        assert_int_equal(algsurf_approximation(c->p, c->degree, c->start[0], &c->options, z, z + 1, count),
-                         approximation);
+        assert_int_equal(
+            algsurf_paper_approximation(c->p, c->degree, c->start[0], &c->options, z, z + 1, count),
+            approximation);
     if (iteration <= 0)
-        assert_int_equal(algsurf_interval_iteration(c->p, c->r, c->degree, c->start[0], c->q, &c->options, Z,
-                                                    Z + 1, count, other),
+        assert_int_equal(algsurf_paper_inclusion(c->p, c->r, c->degree, c->start[0], c->q, &c->options, Z,
+                                                 Z + 1, count, other),
                          iteration);
     if (zeros <= 0)
-        assert_int_equal(algsurf_cpoly_zeros(c->p, c->r, c->degree, c->start, &c->options, list, count),
+        assert_int_equal(algsurf_paper_zeros(c->p, c->r, c->degree, c->start, &c->options, list, count),
                          zeros);
     assert_memory_equal(mark, before, sizeof mark);
 }
@@ -324,23 +325,25 @@ TEST(test_null) {
     const call c = good;
     algsurf_complex z = {5, 5}, q[2] = {{5, 5}, {5, 5}};
     algsurf_cinterval Z = {{5, 5}, {5, 5}};
-    algsurf_cpoly_zero zeros[2];
+    algsurf_paper_zero zeros[2];
     int complete = 5;
     memset(zeros, 5, sizeof zeros);
-    assert_int_equal(algsurf_approximation(NULL, 2, c.start[0], NULL, &z, q, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_approximation(c.p, 2, c.start[0], NULL, NULL, q, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_approximation(c.p, 2, c.start[0], NULL, &z, NULL, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_interval_iteration(NULL, NULL, 2, z, q, NULL, &Z, NULL, NULL, NULL),
+    assert_int_equal(algsurf_paper_approximation(NULL, 2, c.start[0], NULL, &z, q, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_approximation(c.p, 2, c.start[0], NULL, NULL, q, NULL),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_interval_iteration(c.p, NULL, 2, z, NULL, NULL, &Z, NULL, NULL, NULL),
+    assert_int_equal(algsurf_paper_approximation(c.p, 2, c.start[0], NULL, &z, NULL, NULL),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_interval_iteration(c.p, NULL, 2, z, q, NULL, NULL, NULL, NULL, NULL),
+    assert_int_equal(algsurf_paper_inclusion(NULL, NULL, 2, z, q, NULL, &Z, NULL, NULL, NULL),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_cpoly_zeros(NULL, NULL, 2, NULL, NULL, zeros, &complete), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, 2, NULL, NULL, NULL, &complete), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, 2, NULL, NULL, zeros, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_inclusion(c.p, NULL, 2, z, NULL, NULL, &Z, NULL, NULL, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_inclusion(c.p, NULL, 2, z, q, NULL, NULL, NULL, NULL, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_zeros(NULL, NULL, 2, NULL, NULL, zeros, &complete), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_zeros(c.p, NULL, 2, NULL, NULL, NULL, &complete), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_paper_zeros(c.p, NULL, 2, NULL, NULL, zeros, NULL), ALGSURF_E_ARGUMENT);
     assert_true(z.re == 5 && q[1].im == 5 && Z.re.lo == 5 && complete == 5 && zeros[1].steps == 0x05050505);
-    assert_int_equal(algsurf_interval_iteration(c.p, NULL, 2, z, q, NULL, &Z, NULL, NULL, NULL),
+    assert_int_equal(algsurf_paper_inclusion(c.p, NULL, 2, z, q, NULL, &Z, NULL, NULL, NULL),
                      ALGSURF_NOT_VERIFIED);
 }
 

@@ -203,14 +203,14 @@ TEST(test_zero_ends) {
         }
         if (round % 16 == 1) c[n].re *= 0x1p600, c[n].im *= 0x1p600;
         if (round % 2) c[0].re *= DBL_TRUE_MIN * 16, c[0].im *= DBL_TRUE_MIN * 16;
-        algsurf_cpoly_zero zero[8];
+        algsurf_paper_zero zero[8];
         int complete;
-        if (algsurf_cpoly_zeros(c, NULL, n, NULL, NULL, zero, &complete) == ALGSURF_OK)
+        if (algsurf_paper_zeros(c, NULL, n, NULL, NULL, zero, &complete) == ALGSURF_OK)
             for (int i = 0; i < n; i++)
                 if (negative_zero(zero[i].box.re.lo) || negative_zero(zero[i].box.re.hi) ||
                     negative_zero(zero[i].box.im.lo) || negative_zero(zero[i].box.im.hi) ||
                     negative_zero(zero[i].root.re) || negative_zero(zero[i].root.im))
-                    fail_msg("-0 in a box of algsurf_cpoly_zeros");
+                    fail_msg("-0 in a box of algsurf_paper_zeros");
         if (algsurf_complex_roots(c, NULL, n, e, &count) != ALGSURF_OK) continue;
         for (int i = 0; i < count; i++) {
             algsurf_interval re = e[i].box.re, im = e[i].box.im;

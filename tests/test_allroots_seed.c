@@ -29,7 +29,7 @@ TEST(test_approximates) {
             algsurf_complex z, q[SEED_DEGREE], exact[SEED_DEGREE + 1], start = c.root[i];
             start.re += 0.05 * exact_random_unit(&seed), start.im += 0.05 * exact_random_unit(&seed);
             int steps = 0;
-            assert_ok(algsurf_approximation(c.p, c.n, start, NULL, &z, q, &steps));
+            assert_ok(algsurf_paper_approximation(c.p, c.n, start, NULL, &z, q, &steps));
             assert_true(steps >= 1 && steps <= 12);
             (void)seed_product(c.root, c.n, i, 1, exact);
             double most = 1, off = 0;
@@ -56,12 +56,12 @@ TEST(test_scaling_changes_nothing) {
         if (c.p[0].re == 0 && c.p[0].im == 0) continue;
         algsurf_complex start = {exact_random_unit(&seed), exact_random_unit(&seed)}, z, q[SEED_DEGREE];
         int steps, a = shifts[round % 7][0], b = shifts[round % 7][1], again;
-        algsurf_status status = algsurf_approximation(c.p, c.n, start, NULL, &z, q, &steps);
+        algsurf_status status = algsurf_paper_approximation(c.p, c.n, start, NULL, &z, q, &steps);
         algsurf_complex p[SEED_DEGREE + 1], y, s[SEED_DEGREE];
         for (int k = 0; k <= c.n; k++)
             p[k] = (algsurf_complex){ldexp(c.p[k].re, a + k * b), ldexp(c.p[k].im, a + k * b)};
         start = (algsurf_complex){ldexp(start.re, -b), ldexp(start.im, -b)};
-        assert_int_equal(algsurf_approximation(p, c.n, start, NULL, &y, s, &again), status);
+        assert_int_equal(algsurf_paper_approximation(p, c.n, start, NULL, &y, s, &again), status);
         assert_int_equal(again, steps);
         assert_true(ldexp(y.re, b) == z.re && ldexp(y.im, b) == z.im);
         for (int k = 0; k < c.n; k++)
@@ -73,7 +73,7 @@ TEST(test_scaling_changes_nothing) {
 /* The first step is Newton's, -p/p'. */
 TEST(test_first_step) {
     const algsurf_complex p[] = {{-2, 1}, {3, 0}, {0, -1}, {1, 0}}, start = {0.75, -0.5};
-    const algsurf_zero_options one = {sizeof one, 0, 1, 0};
+    const algsurf_paper_options one = {sizeof one, 0, 1, 0};
     algsurf_complex z, q[3], v = p[3], d = {0, 0};
     int steps;
     for (int k = 2; k >= 0; k--) {
@@ -85,7 +85,7 @@ TEST(test_first_step) {
     double square = d.re * d.re + d.im * d.im;
     const algsurf_complex newton = {start.re - (v.re * d.re + v.im * d.im) / square,
                                     start.im - (v.im * d.re - v.re * d.im) / square};
-    assert_int_equal(algsurf_approximation(p, 3, start, &one, &z, q, &steps), ALGSURF_NOT_CONVERGED);
+    assert_int_equal(algsurf_paper_approximation(p, 3, start, &one, &z, q, &steps), ALGSURF_NOT_CONVERGED);
     assert_int_equal(steps, 1);
     assert_true(distance(z, newton) < 1e-15);
 }
@@ -95,16 +95,16 @@ TEST(test_symmetric_failures) {
     const algsurf_complex sphere[] = {{-0.25, 0}, {0, 0}, {1, 0}}, unit[] = {{1, 0}, {0, 0}, {1, 0}};
     algsurf_complex z, q[2];
     int steps = -1;
-    assert_int_equal(algsurf_approximation(sphere, 2, (algsurf_complex){0, 1}, NULL, &z, q, &steps),
+    assert_int_equal(algsurf_paper_approximation(sphere, 2, (algsurf_complex){0, 1}, NULL, &z, q, &steps),
                      ALGSURF_NOT_CONVERGED);
     assert_true(z.re == 0 && isfinite(z.im) && finite_all(q, 2) && steps == 50);
-    assert_int_equal(algsurf_approximation(unit, 2, (algsurf_complex){0, 0}, NULL, &z, q, &steps),
+    assert_int_equal(algsurf_paper_approximation(unit, 2, (algsurf_complex){0, 0}, NULL, &z, q, &steps),
                      ALGSURF_NOT_CONVERGED);
     assert_true(z.re == 0 && z.im == 0 && finite_all(q, 2) && steps == 0);
-    assert_int_equal(algsurf_approximation(unit, 2, (algsurf_complex){3, 0}, NULL, &z, q, &steps),
+    assert_int_equal(algsurf_paper_approximation(unit, 2, (algsurf_complex){3, 0}, NULL, &z, q, &steps),
                      ALGSURF_NOT_CONVERGED);
     assert_true(z.im == 0 && finite_all(q, 2)); /* a real start stays real */
-    assert_ok(algsurf_approximation(sphere, 2, (algsurf_complex){3, 0}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_approximation(sphere, 2, (algsurf_complex){3, 0}, NULL, &z, q, NULL));
     assert_true(z.re == 0.5 && z.im == 0 && q[0].im == 0);
 }
 
@@ -117,14 +117,15 @@ TEST(test_linear) {
     int unique = 0;
     for (int i = 0; i < 4; i++) {
         int steps = 0;
-        assert_ok(algsurf_approximation(p, 1, starts[i], NULL, &z, &q, &steps));
+        assert_ok(algsurf_paper_approximation(p, 1, starts[i], NULL, &z, &q, &steps));
         assert_true(steps <= 3);
         assert_true(distance(z, (algsurf_complex){-4, 2}) < 4e-15 && q.re == 0.7 && q.im == 0.1);
     }
-    assert_int_equal(algsurf_approximation(huge, 1, starts[0], NULL, &z, &q, NULL), ALGSURF_NOT_CONVERGED);
+    assert_int_equal(algsurf_paper_approximation(huge, 1, starts[0], NULL, &z, &q, NULL),
+                     ALGSURF_NOT_CONVERGED);
     assert_true(finite_all(&z, 1));
     assert_ok(
-        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){-4, 2}, &q, NULL, &Z, NULL, &unique, NULL));
+        algsurf_paper_inclusion(p, NULL, 1, (algsurf_complex){-4, 2}, &q, NULL, &Z, NULL, &unique, NULL));
     assert_true(unique && Z.re.hi - Z.re.lo < 2e-15 && Z.im.hi - Z.im.lo < 2e-15);
 }
 
@@ -133,7 +134,7 @@ TEST(test_overflowing_step) {
     const algsurf_complex p[] = {{-1, -1}, {0x1p-1023, 0}, {1.9, -1.9}};
     algsurf_complex z, q[2];
     int steps;
-    assert_int_equal(algsurf_approximation(p, 2, (algsurf_complex){0, 0}, NULL, &z, q, &steps),
+    assert_int_equal(algsurf_paper_approximation(p, 2, (algsurf_complex){0, 0}, NULL, &z, q, &steps),
                      ALGSURF_NOT_CONVERGED);
     assert_true(steps == 0 && z.re == 0 && z.im == 0 && q[0].re == 0x1p-1023 && q[0].im == 0 &&
                 q[1].re == 1.9);
@@ -143,7 +144,7 @@ TEST(test_overflowing_step) {
 TEST(test_unit_follows) {
     algsurf_complex p[65] = {{0x1p640, 0}, {-1.1 * 0x1p620, 0}}, z, q[64];
     p[64].re = 0x1p-640;
-    assert_ok(algsurf_approximation(p, 64, (algsurf_complex){1, 0}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_approximation(p, 64, (algsurf_complex){1, 0}, NULL, &z, q, NULL));
     double x = z.re * 0x1p-20;
     assert_true(x > 0.9 && x < 0.92 && fabs(1 - 1.1 * x + pow(x, 64)) < 1e-15);
 }
@@ -153,20 +154,21 @@ TEST(test_range) {
     const algsurf_complex big[] = {{1e300, 0}, {0, 0}, {1e-300, 0}},
                           small[] = {{1e-300, 0}, {0, 0}, {1e300, 0}};
     algsurf_complex z, q[64], p[65] = {{1, 0}};
-    assert_ok(algsurf_approximation(big, 2, (algsurf_complex){1e299, 9e299}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_approximation(big, 2, (algsurf_complex){1e299, 9e299}, NULL, &z, q, NULL));
     assert_true(fabs(z.im / 1e300 - 1) < 1e-15);
-    assert_ok(algsurf_approximation(small, 2, (algsurf_complex){1e-301, 9e-301}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_approximation(small, 2, (algsurf_complex){1e-301, 9e-301}, NULL, &z, q, NULL));
     assert_true(fabs(z.im / 1e-300 - 1) < 1e-15);
     p[64] = (algsurf_complex){1, 0};
-    assert_int_equal(algsurf_approximation(p, 64, (algsurf_complex){DBL_MAX, DBL_MAX}, NULL, &z, q, NULL),
-                     ALGSURF_NOT_CONVERGED);
+    assert_int_equal(
+        algsurf_paper_approximation(p, 64, (algsurf_complex){DBL_MAX, DBL_MAX}, NULL, &z, q, NULL),
+        ALGSURF_NOT_CONVERGED);
     assert_true(finite_all(&z, 1) && finite_all(q, 64));
     p[64] = (algsurf_complex){DBL_MAX, DBL_MAX};
-    (void)algsurf_approximation(p, 64, (algsurf_complex){1e-320, 0}, NULL, &z, q, NULL);
+    (void)algsurf_paper_approximation(p, 64, (algsurf_complex){1e-320, 0}, NULL, &z, q, NULL);
     assert_true(finite_all(&z, 1) && finite_all(q, 64));
     /* A small root beside large ones: the stopping test looks at z too. */
     const algsurf_complex mixed[] = {{1e-9, 0}, {-1000, 0}, {1, 0}};
-    assert_ok(algsurf_approximation(mixed, 2, (algsurf_complex){1e-7, 1e-7}, NULL, &z, q, NULL));
+    assert_ok(algsurf_paper_approximation(mixed, 2, (algsurf_complex){1e-7, 1e-7}, NULL, &z, q, NULL));
     assert_true(fabs(z.re / 1.000000000001e-12 - 1) < 1e-12 && fabs(z.im) < 1e-26);
 }
 
@@ -174,13 +176,13 @@ TEST(test_options) {
     const algsurf_complex p[] = {{-2, 0}, {1, 0}, {0, 0}, {1, 0}}, start = {3, 1};
     algsurf_complex z, q[3], y, s[3];
     int loose, usual, said;
-    const algsurf_zero_options half = {sizeof half, 0.25, 0, 0}, spelt = {sizeof spelt, 1e-10, 50, 10};
-    assert_ok(algsurf_approximation(p, 3, start, &half, &z, q, &loose));
-    algsurf_zero_options small = half;
+    const algsurf_paper_options half = {sizeof half, 0.25, 0, 0}, spelt = {sizeof spelt, 1e-10, 50, 10};
+    assert_ok(algsurf_paper_approximation(p, 3, start, &half, &z, q, &loose));
+    algsurf_paper_options small = half;
     for (small.size = 0; small.size < sizeof small; small.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_approximation(p, 3, start, &small, &y, s, &said), ALGSURF_E_ARGUMENT);
-    assert_ok(algsurf_approximation(p, 3, start, NULL, &z, q, &usual));
-    assert_ok(algsurf_approximation(p, 3, start, &spelt, &y, s, &said));
+        assert_int_equal(algsurf_paper_approximation(p, 3, start, &small, &y, s, &said), ALGSURF_E_ARGUMENT);
+    assert_ok(algsurf_paper_approximation(p, 3, start, NULL, &z, q, &usual));
+    assert_ok(algsurf_paper_approximation(p, 3, start, &spelt, &y, s, &said));
     assert_true(said == usual && loose < usual && y.re == z.re && y.im == z.im);
 }
 
@@ -188,7 +190,7 @@ TEST(test_options) {
 
 static int verify(const seed_case *c, const double *r, algsurf_complex z, const algsurf_complex *q,
                   algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique) {
-    return algsurf_interval_iteration(c->p, r, c->n, z, q, NULL, Z, Q, unique, NULL) == ALGSURF_OK;
+    return algsurf_paper_inclusion(c->p, r, c->n, z, q, NULL, Z, Q, unique, NULL) == ALGSURF_OK;
 }
 
 /* Approximations of any quality, also of multiple roots: what is verified is true, and enough is (with a
@@ -245,7 +247,7 @@ TEST(test_radii) {
         algsurf_complex z, q[SEED_DEGREE], exact[SEED_DEGREE + 1];
         algsurf_cinterval Z, Q[SEED_DEGREE];
         int unique = 0;
-        assert_ok(algsurf_approximation(c.p, c.n, c.root[i], NULL, &z, q, NULL));
+        assert_ok(algsurf_paper_approximation(c.p, c.n, c.root[i], NULL, &z, q, NULL));
         if (!verify(&c, r, z, q, &Z, Q, &unique)) continue;
         verified++;
         (void)seed_product(c.root, c.n, i, 1, exact);
@@ -265,7 +267,7 @@ TEST(test_boxes_are_tight) {
         for (int k = 0; k < c.n; k++) c.p[k].re += 0.3 * exact_random_unit(&seed);
         algsurf_complex z, q[SEED_DEGREE];
         algsurf_cinterval Z;
-        if (algsurf_approximation(c.p, c.n, c.root[0], NULL, &z, q, NULL) != ALGSURF_OK) continue;
+        if (algsurf_paper_approximation(c.p, c.n, c.root[0], NULL, &z, q, NULL) != ALGSURF_OK) continue;
         assert_true(verify(&c, NULL, z, q, &Z, NULL, NULL));
         assert_true(fmax(Z.re.hi - Z.re.lo, Z.im.hi - Z.im.lo) <= 0x1p-51 * hypot(z.re, z.im));
     }
@@ -276,7 +278,7 @@ TEST(test_underflow_is_enclosed) {
     const algsurf_complex p[] = {{0x1p-1074, 0}, {0x1p10, 0}};
     algsurf_cinterval Z;
     assert_ok(
-        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){1, 0}, p + 1, NULL, &Z, NULL, NULL, NULL));
+        algsurf_paper_inclusion(p, NULL, 1, (algsurf_complex){1, 0}, p + 1, NULL, &Z, NULL, NULL, NULL));
     assert_true(Z.re.lo < 0 && Z.re.hi >= 0);
 }
 
@@ -285,29 +287,29 @@ TEST(test_no_proof) {
     const algsurf_complex square[] = {{0, 0}, {0, 0}, {1, 0}}, apart[] = {{-1, 0}, {0, 0}, {1, 0}};
     const algsurf_complex q[] = {{0, 0}, {1, 0}}, far[] = {{0.5, 0}, {1, 0}},
                           wild[] = {{1e308, -1e308}, {1, 0}};
-    const algsurf_zero_options three = {sizeof three, 0, 0, 3};
+    const algsurf_paper_options three = {sizeof three, 0, 0, 3};
     const algsurf_cinterval mark = {{7, 8}, {9, 10}};
     algsurf_cinterval Z = mark, Q[2] = {mark, mark};
     int unique = 5, inflations = -1;
-    assert_int_equal(algsurf_interval_iteration(square, NULL, 2, (algsurf_complex){0, 0}, q, NULL, &Z, Q,
-                                                &unique, &inflations),
+    assert_int_equal(algsurf_paper_inclusion(square, NULL, 2, (algsurf_complex){0, 0}, q, NULL, &Z, Q,
+                                             &unique, &inflations),
                      ALGSURF_NOT_VERIFIED);
     assert_int_equal(inflations, 0);
-    assert_int_equal(algsurf_interval_iteration(apart, NULL, 2, (algsurf_complex){0.5, 0}, far, NULL, &Z, Q,
-                                                &unique, &inflations),
+    assert_int_equal(algsurf_paper_inclusion(apart, NULL, 2, (algsurf_complex){0.5, 0}, far, NULL, &Z, Q,
+                                             &unique, &inflations),
                      ALGSURF_NOT_VERIFIED);
     assert_int_equal(inflations, 10);
-    assert_int_equal(algsurf_interval_iteration(apart, NULL, 2, (algsurf_complex){0.5, 0}, far, &three, &Z, Q,
-                                                &unique, &inflations),
+    assert_int_equal(algsurf_paper_inclusion(apart, NULL, 2, (algsurf_complex){0.5, 0}, far, &three, &Z, Q,
+                                             &unique, &inflations),
                      ALGSURF_NOT_VERIFIED);
     assert_int_equal(inflations, 3);
-    assert_int_equal(algsurf_interval_iteration(apart, NULL, 2, (algsurf_complex){1, 0}, wild, NULL, &Z, Q,
-                                                &unique, &inflations),
+    assert_int_equal(algsurf_paper_inclusion(apart, NULL, 2, (algsurf_complex){1, 0}, wild, NULL, &Z, Q,
+                                             &unique, &inflations),
                      ALGSURF_NOT_VERIFIED);
     const double all[] = {1e308, 1e308, 1e308};
-    assert_int_equal(algsurf_interval_iteration(apart, all, 2, (algsurf_complex){1, 0}, q, NULL, &Z, Q,
-                                                &unique, &inflations),
-                     ALGSURF_NOT_VERIFIED);
+    assert_int_equal(
+        algsurf_paper_inclusion(apart, all, 2, (algsurf_complex){1, 0}, q, NULL, &Z, Q, &unique, &inflations),
+        ALGSURF_NOT_VERIFIED);
     assert_true(unique == 5 && !memcmp(&Z, &mark, sizeof mark) && !memcmp(Q + 1, &mark, sizeof mark));
 }
 

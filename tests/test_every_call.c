@@ -719,7 +719,7 @@ CALL(algsurf_refine_poly) {
     }
 }
 
-/* ---- allroots.h, select.h ---- */
+/* ---- allroots.h, papers.h, select.h ---- */
 
 CALL(algsurf_complex_roots) {
     algsurf_complex c[DEGREE + 1];
@@ -757,19 +757,19 @@ CALL(algsurf_complex_roots_batch) {
         if (count[i] > 0) written(roots + i * DEGREE, (size_t)count[i] * sizeof *roots);
 }
 
-CALL(algsurf_approximation) {
-    algsurf_zero_options options = {.size = sizeof options};
+CALL(algsurf_paper_approximation) {
+    algsurf_paper_options options = {.size = sizeof options};
     algsurf_complex p[DEGREE + 1], start = complex_made(0, 1), z = {0, 0}, q[DEGREE] = {{0, 0}};
     int steps = 0;
     complex_coefficients(p);
     options.relative_step = number(1e-10);
-    STATUS_IN_HOST(algsurf_approximation(p, DEGREE, start, &options, &z, q, &steps));
+    STATUS_IN_HOST(algsurf_paper_approximation(p, DEGREE, start, &options, &z, q, &steps));
     WRITTEN(z), WRITTEN(q), WRITTEN(steps);
 }
 
-CALL(algsurf_interval_iteration) {
+CALL(algsurf_paper_inclusion) {
     static const double quotient[DEGREE] = {6, -14, -6, 1}; /* about */
-    algsurf_zero_options options = {.size = sizeof options};
+    algsurf_paper_options options = {.size = sizeof options};
     algsurf_complex p[DEGREE + 1], z = complex_made(-2, 0), q[DEGREE];
     algsurf_cinterval box = {{0, 0}, {0, 0}}, boxes[DEGREE] = {{{0, 0}, {0, 0}}};
     int unique = 0, inflations = 0;
@@ -778,25 +778,24 @@ CALL(algsurf_interval_iteration) {
     numbers(r, DEGREE + 1, radii);
     for (int i = 0; i < DEGREE; i++) q[i] = complex_made(quotient[i], 0);
     options.relative_step = number(1e-10);
-    STATUS_IN_HOST(
-        algsurf_interval_iteration(p, r, DEGREE, z, q, &options, &box, boxes, &unique, &inflations));
+    STATUS_IN_HOST(algsurf_paper_inclusion(p, r, DEGREE, z, q, &options, &box, boxes, &unique, &inflations));
     WRITTEN(box), WRITTEN(boxes), WRITTEN(unique), WRITTEN(inflations);
 }
 
-CALL(algsurf_cpoly_zeros) {
-    algsurf_zero_options options = {.size = sizeof options};
+CALL(algsurf_paper_zeros) {
+    algsurf_paper_options options = {.size = sizeof options};
     algsurf_complex p[DEGREE + 1], start[DEGREE];
-    algsurf_cpoly_zero zeros[DEGREE] = {{.verified = 0}};
+    algsurf_paper_zero zeros[DEGREE] = {{.verified = 0}};
     int complete = 0;
     double r[DEGREE + 1];
     complex_coefficients(p);
     numbers(r, DEGREE + 1, radii);
     for (int i = 0; i < DEGREE; i++) start[i] = complex_made(quartic[0][i], 1);
     options.relative_step = number(1e-10);
-    STATUS_IN_HOST(algsurf_cpoly_zeros(p, r, DEGREE, start, &options, zeros, &complete));
+    STATUS_IN_HOST(algsurf_paper_zeros(p, r, DEGREE, start, &options, zeros, &complete));
     WRITTEN(complete);
     for (int i = 0; i < DEGREE; i++)
-        written(zeros + i, offsetof(algsurf_cpoly_zero, inflations) + sizeof zeros->inflations);
+        written(zeros + i, offsetof(algsurf_paper_zero, inflations) + sizeof zeros->inflations);
 }
 
 CALL(algsurf_complex_solver_create) {

@@ -83,9 +83,9 @@ static algsurf_status complex_batch(void *p) {
     return algsurf_complex_roots_batch(p, NULL, roots, count);
 }
 static algsurf_status zeros(void *p) {
-    algsurf_cpoly_zero zero[2];
+    algsurf_paper_zero zero[2];
     int count;
-    return algsurf_cpoly_zeros(z, NULL, 2, NULL, p, zero, &count);
+    return algsurf_paper_zeros(z, NULL, 2, NULL, p, zero, &count);
 }
 static algsurf_status solver_stats(void *p) {
     algsurf_complex_root roots[2];
@@ -133,7 +133,7 @@ static const struct {
     {"real batch", real_batch, sizeof(algsurf_real_batch)},
     {"batch options", batch_options, sizeof(algsurf_batch_options)},
     {"complex batch", complex_batch, sizeof(algsurf_complex_batch)},
-    {"zero options", zeros, sizeof(algsurf_zero_options)},
+    {"zero options", zeros, sizeof(algsurf_paper_options)},
     {"solver stats", solver_stats, sizeof(algsurf_complex_solver_stats)},
     {"material", material, sizeof(algsurf_material)},
     {"scene's intersect options", intersect, sizeof(algsurf_intersect_options)},

@@ -483,20 +483,20 @@ STACK_OF(algsurf_precise_roots_free, USUAL, OTHERS) {
 static algsurf_complex quotient[MOST];
 static algsurf_complex approximation = {0, 1};
 
-STACK_OF(algsurf_approximation, 44, OTHERS) {
-    algsurf_zero_options o = {.size = sizeof o};
-    (void)algsurf_approximation(complex_of(polys, 1), MOST, (algsurf_complex){0, 1}, &o, &approximation,
-                                quotient, NULL);
+STACK_OF(algsurf_paper_approximation, 44, OTHERS) {
+    algsurf_paper_options o = {.size = sizeof o};
+    (void)algsurf_paper_approximation(complex_of(polys, 1), MOST, (algsurf_complex){0, 1}, &o, &approximation,
+                                      quotient, NULL);
 }
-STACK_OF(algsurf_interval_iteration, 80, OTHERS) {
+STACK_OF(algsurf_paper_inclusion, 80, OTHERS) {
     static algsurf_cinterval Z, Q[MOST];
-    (void)algsurf_interval_iteration(complex_of(polys, 1), polys[0].r, MOST, approximation, quotient, NULL,
-                                     &Z, Q, NULL, NULL);
+    (void)algsurf_paper_inclusion(complex_of(polys, 1), polys[0].r, MOST, approximation, quotient, NULL, &Z,
+                                  Q, NULL, NULL);
 }
-STACK_OF(algsurf_cpoly_zeros, 110, OTHERS) {
-    static algsurf_cpoly_zero zeros[MOST];
-    algsurf_zero_options o = {.size = sizeof o, .max_steps = 2, .max_inflations = 1};
-    (void)algsurf_cpoly_zeros(complex_of(polys, 1), polys[0].r, MOST, NULL, &o, zeros, &found);
+STACK_OF(algsurf_paper_zeros, 110, OTHERS) {
+    static algsurf_paper_zero zeros[MOST];
+    algsurf_paper_options o = {.size = sizeof o, .max_steps = 2, .max_inflations = 1};
+    (void)algsurf_paper_zeros(complex_of(polys, 1), polys[0].r, MOST, NULL, &o, zeros, &found);
 }
 
 static const algsurf_sector sector = {0.1, 0.5};

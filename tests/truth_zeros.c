@@ -2,7 +2,7 @@
  *
  *     truth_zeros DATA_FOLDER
  *
- * Every polynomial of truth/polys.tsv is given to algsurf_cpoly_zeros with the cold start and with start
+ * Every polynomial of truth/polys.tsv is given to algsurf_paper_zeros with the cold start and with start
  * values on the unit circle.  A verified box must hold a root; one that is unique, exactly one, a simple one;
  * a complete answer, every root once.  How many simple roots are verified is printed for each family and may
  * not fall below a floor; boxes of well-conditioned roots must be as narrow as doubles allow.
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "algsurf/allroots.h"
+#include "algsurf/papers.h"
 #include "poly_corpus.h"
 
 enum { COLD, CIRCLE, STARTS, FAMILIES = 32 };
@@ -53,7 +53,7 @@ static tally *tally_of(int start, const char *family) {
     return y;
 }
 
-static void wrong(int start, const poly_case *p, int i, const char *what, const algsurf_cpoly_zero *z) {
+static void wrong(int start, const poly_case *p, int i, const char *what, const algsurf_paper_zero *z) {
     violations++;
     printf("WRONG %s %s %s, %s: %s, root %d: %a %a in [%a,%a] x [%a,%a]\n", p->id, p->family, p->label,
            start_name[start], what, i, z->root.re, z->root.im, z->box.re.lo, z->box.re.hi, z->box.im.lo,
@@ -73,7 +73,7 @@ static void note_width(int start, const poly_root *root, algsurf_cinterval box) 
         widths[start][narrow_count[start]++] = 0.5 * side / size;
 }
 
-static void judge_box(int start, const poly_case *p, int i, const algsurf_cpoly_zero *z) {
+static void judge_box(int start, const poly_case *p, int i, const algsurf_paper_zero *z) {
     int held = poly_roots_in(p, z->box), multiple = 0;
     if (z->root.re < z->box.re.lo || z->root.re > z->box.re.hi || z->root.im < z->box.im.lo ||
         z->root.im > z->box.im.hi)
@@ -91,7 +91,7 @@ static void judge_box(int start, const poly_case *p, int i, const algsurf_cpoly_
     if (z->unique && (held != 1 || multiple)) wrong(start, p, i, "not the only, simple root", z);
 }
 
-static void judge(int start, const poly_case *p, const algsurf_cpoly_zero *z, int complete) {
+static void judge(int start, const poly_case *p, const algsurf_paper_zero *z, int complete) {
     tally *y = tally_of(start, p->family);
     int verified = 0, touching = 0;
     y->polynomials++;
@@ -116,10 +116,10 @@ static void judge(int start, const poly_case *p, const algsurf_cpoly_zero *z, in
 
 static void solve(int start, const poly_case *p) {
     algsurf_complex from[ALGSURF_MAX_DEGREE];
-    algsurf_cpoly_zero zeros[ALGSURF_MAX_DEGREE];
+    algsurf_paper_zero zeros[ALGSURF_MAX_DEGREE];
     int complete;
     for (int k = 0; k < p->degree; k++) from[k] = (algsurf_complex){cos(0.7 + 2.4 * k), sin(0.7 + 2.4 * k)};
-    if (algsurf_cpoly_zeros(p->c, NULL, p->degree, start == COLD ? NULL : from, NULL, zeros, &complete) !=
+    if (algsurf_paper_zeros(p->c, NULL, p->degree, start == COLD ? NULL : from, NULL, zeros, &complete) !=
         ALGSURF_OK) {
         violations++;
         printf("WRONG %s: refused\n", p->id);

@@ -19,7 +19,7 @@
  *                  library does not know are 0.  Every other size is E_ARGUMENT.  Of a struct that receives
  *                  results only the size is read;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
- *                  _bracket, _refined_root, _complex_root, _cpoly_zero; _term, _constant, _parse_error;
+ *                  _bracket, _refined_root, _complex_root, _paper_zero; _term, _constant, _parse_error;
  *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int;
  *   algsurf_cell   is made by the library only, and may grow at its end;
  *   handles        (a surface, a scene, a solver) are opaque;
@@ -39,6 +39,7 @@
 #include "algsurf/allroots.h"
 #include "algsurf/batch.h"
 #include "algsurf/select.h"
+#include "algsurf/papers.h"
 #include "algsurf/surface.h"
 #include "algsurf/ray.h"
 #include "algsurf/enclose.h"

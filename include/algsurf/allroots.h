@@ -1,10 +1,7 @@
 /* algsurf/allroots.h - all complex roots of a polynomial, enclosed and counted.
  *
- * There are two families.  The robust solver, algsurf_complex_roots and its variants, always returns n roots
- * for degree n: disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.
- * The algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
- * beside it, and can fail as published: algsurf_approximation, algsurf_interval_iteration,
- * algsurf_cpoly_zeros.
+ * Always n roots for degree n: disjoint boxes with multiplicities that add up to n, each proved to hold
+ * exactly that many.  (papers.h has published algorithms that go root by root, and can fail.)
  *
  * Coefficients are complex numbers, lowest degree first.  With an optional array of radii r >= 0 they stand
  * for all polynomials with complex coefficients c'_k, |c'_k - c_k| <= r_k, and every guarantee holds for each
@@ -137,77 +134,7 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
                                                        const algsurf_batch_options *options,
                                                        algsurf_complex_root *roots, int *count);
 
-/* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
-
-/* Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q enclosures. */
-
-/* Limits of the three algorithms below. */
-typedef struct algsurf_zero_options {
-    size_t size;          /* sizeof(algsurf_zero_options) */
-    double relative_step; /* the approximation stops when the last steps of z and of q are below this times
-                             their sizes; 0: 1e-10 */
-    int max_steps;        /* of the approximation, 0: 50 */
-    int max_inflations;   /* of the interval iteration, 0: 10 */
-} algsurf_zero_options;
-
-/* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.
- *   p       degree+1 coefficients, degree 1..ALGSURF_MAX_POLY_DEGREE, p[degree] not 0
- *   start   first z; the first q is the quotient that Horner's scheme gives.  With a real polynomial and a
- *           real start all values are real.  Degree 1 is solved from any start.
- *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
- *   steps   number of steps made; may be null
- * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
- * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT,
- * E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
- * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  44 KiB of stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
-                                                 const algsurf_zero_options *options, algsurf_complex *z,
-                                                 algsurf_complex *q, int *steps);
-
-/* Verifies an approximation by interval iteration with epsilon inflation.
- *   p, r      the polynomial and radii of its coefficients, or null
- *   z, q      as algsurf_approximation leaves them; q[degree-1] is taken to be p[degree]
- *   Z, Q      enclose a root and its deflated coefficients (degree entries; Q may be null), for every
- *             polynomial in the set: verified
- *   unique    1: the root in Z is simple and the only one there (0 is not in the enclosure of q(Z)):
- *             verified; 0: not known.  May be null
- *   inflations  number of inflations made; may be null
- * Returns OK, or NOT_VERIFIED (only inflations is written).  Multiple roots are never verified, roots closer
- * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_NOT_FINITE.  Cost: O(degree) each
- * inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
- * original uses an exact dot product).  80 KiB of stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
-                                                      algsurf_complex z, const algsurf_complex *q,
-                                                      const algsurf_zero_options *options,
-                                                      algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
-                                                      int *inflations);
-
-/* A root found by algsurf_cpoly_zeros. */
-typedef struct algsurf_cpoly_zero {
-    algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
-    algsurf_complex root;  /* the approximation, polished on the whole polynomial; in the box */
-    int verified;          /* the interval iteration ended in an inclusion */
-    int unique;            /* verified, and the root is simple and alone in the box */
-    int converged;         /* the approximation met its stopping test, on both polynomials */
-    int steps, inflations; /* numbers: of the approximation, of the interval iteration */
-} algsurf_cpoly_zero;
-
-/* The paper's algorithm: approximate a root of the deflated polynomial, polish and verify it on the
- * original one, deflate, go on; the last root is that of the linear factor.
- *   start    null: every root is approximated from 0 + i (even and odd real polynomials keep that on the
- *            imaginary axis); or `degree` start values, best by increasing magnitude (dividing by a large
- *            root first costs the small ones their digits)
- *   zeros    `degree` entries, in the order found
- *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
- *            0: at least one failed, or two approximations went to the same root
- * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
- * Cost: O(degree^2) times the steps.  Source: as above, AllCPolyZeros.  110 KiB of stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
-                                               const algsurf_complex *start,
-                                               const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
-                                               int *complete);
-
-/* ---- the robust solver with its own memory ---- */
+/* ---- a solver with its own memory ---- */
 
 /* Work memory for repeated calls of high degree; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;

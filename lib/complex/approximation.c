@@ -1,6 +1,6 @@
 /* approximation.c - Newton's method for a root together with its deflated polynomial.
  *
- * The system and its solution are in seed.h.  The defect is summed in doubled precision, which makes
+ * The system and its solution are in papers.h.  The defect is summed in doubled precision, which makes
  * a step an iterative refinement: at a simple root z and q end within an ulp or two of the exact ones,
  * however ill-conditioned the root, as long as the iteration converges at all.  The unit follows z, so that
  * no power of z overflows.
@@ -8,14 +8,14 @@
 #include "../base/arithmetic.h"
 #include <float.h>
 
-#include "seed.h"
+#include "papers.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 
 #define UNIT_LIMIT 1100 /* beyond it z is 0 or infinite as a double */
 
-algsurf_status algsurf_i_zero_options(const algsurf_zero_options *given, algsurf_zero_options *options) {
-    algsurf_zero_options o = {sizeof o, 0, 0, 0};
+algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsurf_paper_options *options) {
+    algsurf_paper_options o = {sizeof o, 0, 0, 0};
     if (given && !algsurf_options_read(&o, sizeof o, given)) return ALGSURF_E_ARGUMENT;
     if (!isfinite(o.relative_step)) return ALGSURF_E_NOT_FINITE;
     if (o.relative_step < 0 || o.max_steps < 0 || o.max_inflations < 0) return ALGSURF_E_ARGUMENT;
@@ -26,7 +26,7 @@ algsurf_status algsurf_i_zero_options(const algsurf_zero_options *given, algsurf
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_zero_check(const algsurf_complex *p, const double *r, int degree) {
+algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree) {
     if (!p || degree < 1 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= degree; k++) {
         if (!algsurf_i_finite(p[k]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
@@ -157,9 +157,9 @@ static algsurf_complex held(algsurf_complex z, int k) {
     return (algsurf_complex){fmax(fmin(z.re, DBL_MAX), -DBL_MAX), fmax(fmin(z.im, DBL_MAX), -DBL_MAX)};
 }
 
-algsurf_status algsurf_i_approximation(const algsurf_complex *p, int n, algsurf_complex start,
-                                       const algsurf_zero_options *options, algsurf_complex *z,
-                                       algsurf_complex *q, int *steps) {
+algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, algsurf_complex start,
+                                             const algsurf_paper_options *options, algsurf_complex *z,
+                                             algsurf_complex *q, int *steps) {
     iteration it;
     outcome last = GOING_ON;
     int count = 0;
@@ -181,25 +181,25 @@ algsurf_status algsurf_i_approximation(const algsurf_complex *p, int n, algsurf_
 /* ---- the public call ---- */
 
 static ALGSURF_NOINLINE algsurf_status approximate(const algsurf_complex *p, int degree,
-                                                   algsurf_complex start, const algsurf_zero_options *given,
+                                                   algsurf_complex start, const algsurf_paper_options *given,
                                                    algsurf_complex *z, algsurf_complex *q, int *steps) {
-    algsurf_zero_options options;
+    algsurf_paper_options options;
     algsurf_complex found[ALGSURF_MAX_POLY_DEGREE];
     int count;
-    algsurf_status status = algsurf_i_zero_check(p, NULL, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_zero_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, NULL, degree);
+    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
     if (status != ALGSURF_OK) return status;
     if (!algsurf_i_finite(start)) return ALGSURF_E_NOT_FINITE;
     if (!z || !q || algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ARGUMENT;
-    status = algsurf_i_approximation(p, degree, start, &options, z, found, &count);
+    status = algsurf_i_paper_approximation(p, degree, start, &options, z, found, &count);
     for (int i = 0; i < degree; i++) q[i] = found[i];
     if (steps) *steps = count;
     return status;
 }
 
-algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
-                                     const algsurf_zero_options *options, algsurf_complex *z,
-                                     algsurf_complex *q, int *steps) {
+algsurf_status algsurf_paper_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
+                                           const algsurf_paper_options *options, algsurf_complex *z,
+                                           algsurf_complex *q, int *steps) {
     algsurf_status status;
     ALGSURF_STANDARD(status = approximate(p, degree, start, options, z, q, steps));
     return status;

@@ -8,7 +8,7 @@
  * found: whether the boxes are all the roots is decided at the end, by whether they are disjoint.
  */
 #include "../base/arithmetic.h"
-#include "seed.h"
+#include "papers.h"
 #include "../base/fpenv.h"
 
 static const algsurf_complex cold_start = {0, 1};
@@ -17,7 +17,7 @@ static int meet(algsurf_cinterval a, algsurf_cinterval b) {
     return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
 }
 
-static int all_disjoint(const algsurf_cpoly_zero *zeros, int n) {
+static int all_disjoint(const algsurf_paper_zero *zeros, int n) {
     for (int i = 0; i < n; i++) {
         if (!zeros[i].verified) return 0;
         for (int j = 0; j < i; j++)
@@ -30,15 +30,16 @@ static int all_disjoint(const algsurf_cpoly_zero *zeros, int n) {
 static double nearest(algsurf_interval box, double x) { return fmin(fmax(x, box.lo), box.hi); }
 
 /* From an approximation to a root of p with what is proved of it. */
-static algsurf_cpoly_zero finish(const algsurf_complex *p, const double *r, int n, algsurf_complex near,
-                                 const algsurf_zero_options *options) {
+static algsurf_paper_zero finish(const algsurf_complex *p, const double *r, int n, algsurf_complex near,
+                                 const algsurf_paper_options *options) {
     algsurf_complex q[ALGSURF_MAX_POLY_DEGREE];
-    algsurf_cpoly_zero zero;
-    zero.converged = algsurf_i_approximation(p, n, near, options, &zero.root, q, &zero.steps) == ALGSURF_OK;
+    algsurf_paper_zero zero;
+    zero.converged =
+        algsurf_i_paper_approximation(p, n, near, options, &zero.root, q, &zero.steps) == ALGSURF_OK;
     zero.root = (algsurf_complex){zero.root.re + 0.0, zero.root.im + 0.0}; /* no -0 */
     zero.unique = 0;
-    zero.verified = algsurf_i_interval_iteration(p, r, n, zero.root, q, options, &zero.box, NULL,
-                                                 &zero.unique, &zero.inflations) == ALGSURF_OK;
+    zero.verified = algsurf_i_paper_inclusion(p, r, n, zero.root, q, options, &zero.box, NULL, &zero.unique,
+                                              &zero.inflations) == ALGSURF_OK;
     if (zero.verified)
         zero.root = (algsurf_complex){nearest(zero.box.re, zero.root.re), nearest(zero.box.im, zero.root.im)};
     else
@@ -48,12 +49,12 @@ static algsurf_cpoly_zero finish(const algsurf_complex *p, const double *r, int 
 
 static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const double *r, int degree,
                                                  const algsurf_complex *start,
-                                                 const algsurf_zero_options *given, algsurf_cpoly_zero *zeros,
-                                                 int *complete) {
-    algsurf_zero_options options;
+                                                 const algsurf_paper_options *given,
+                                                 algsurf_paper_zero *zeros, int *complete) {
+    algsurf_paper_options options;
     algsurf_complex deflated[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
-    algsurf_status status = algsurf_i_zero_check(p, r, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_zero_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, r, degree);
+    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
     if (status != ALGSURF_OK) return status;
     for (int i = 0; start && i < degree; i++)
         if (!algsurf_i_finite(start[i])) return ALGSURF_E_NOT_FINITE;
@@ -62,8 +63,8 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
     for (int k = 0; k <= degree; k++) deflated[k] = p[k];
     for (int i = 0, n = degree; i < degree; i++, n--) {
         int steps;
-        int converged = algsurf_i_approximation(deflated, n, start ? start[i] : cold_start, &options, &z, q,
-                                                &steps) == ALGSURF_OK;
+        int converged = algsurf_i_paper_approximation(deflated, n, start ? start[i] : cold_start, &options,
+                                                      &z, q, &steps) == ALGSURF_OK;
         for (int k = 0; k < n; k++) deflated[k] = q[k];
         zeros[i] = finish(p, r, degree, z, &options);
         zeros[i].converged = zeros[i].converged && converged;
@@ -73,9 +74,9 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
-                                   const algsurf_complex *start, const algsurf_zero_options *options,
-                                   algsurf_cpoly_zero *zeros, int *complete) {
+algsurf_status algsurf_paper_zeros(const algsurf_complex *p, const double *r, int degree,
+                                   const algsurf_complex *start, const algsurf_paper_options *options,
+                                   algsurf_paper_zero *zeros, int *complete) {
     algsurf_status status;
     ALGSURF_STANDARD(status = all_zeros(p, r, degree, start, options, zeros, complete));
     return status;

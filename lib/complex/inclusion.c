@@ -1,7 +1,7 @@
 /* inclusion.c - the interval iteration: proof that a root and its quotient are near their
  * approximation.
  *
- * With the system of seed.h, (q + D, z + t) is a solution iff (D,t) is a fixed point of
+ * With the system of papers.h, (q + D, z + t) is a solution iff (D,t) is a fixed point of
  *     G(D,t) = J^-1 (-d + t (D;0)),
  * d and J taken at the approximation.  Y encloses G(X) for a box X of corrections:
  *     Y = Y0 + v_{i+1} - r w_{i+1},   Y_t = Y0_t - r,   r = v_0 / w_0,
@@ -15,7 +15,7 @@
  * polynomial of the set has its own d and J in the intervals, and the proof goes through for each.
  */
 #include "../base/arithmetic.h"
-#include "seed.h"
+#include "papers.h"
 #include "../base/fpenv.h"
 #include "../poly/interval_impl.h"
 
@@ -163,10 +163,10 @@ static int alone(const proof *f, algsurf_cinterval Z) {
     return !algsurf_i_cinterval_has_zero(value);
 }
 
-algsurf_status algsurf_i_interval_iteration(const algsurf_complex *p, const double *r, int n,
-                                            algsurf_complex z, const algsurf_complex *q,
-                                            const algsurf_zero_options *options, algsurf_cinterval *Z,
-                                            algsurf_cinterval *Q, int *unique, int *inflations) {
+algsurf_status algsurf_i_paper_inclusion(const algsurf_complex *p, const double *r, int n, algsurf_complex z,
+                                         const algsurf_complex *q, const algsurf_paper_options *options,
+                                         algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
+                                         int *inflations) {
     static const double schedule[] = {0.1, 0.5, 5};
     proof f;
     int inside = 0, count = 0;
@@ -189,26 +189,26 @@ algsurf_status algsurf_i_interval_iteration(const algsurf_complex *p, const doub
 
 static ALGSURF_NOINLINE algsurf_status include(const algsurf_complex *p, const double *r, int degree,
                                                algsurf_complex z, const algsurf_complex *q,
-                                               const algsurf_zero_options *given, algsurf_cinterval *Z,
+                                               const algsurf_paper_options *given, algsurf_cinterval *Z,
                                                algsurf_cinterval *Q, int *unique, int *inflations) {
-    algsurf_zero_options options;
+    algsurf_paper_options options;
     int count;
-    algsurf_status status = algsurf_i_zero_check(p, r, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_zero_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, r, degree);
+    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
     if (status != ALGSURF_OK) return status;
     if (!q || !Z || algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < degree; i++)
         if (!algsurf_i_finite(q[i])) return ALGSURF_E_NOT_FINITE;
     if (!algsurf_i_finite(z)) return ALGSURF_E_NOT_FINITE;
-    status = algsurf_i_interval_iteration(p, r, degree, z, q, &options, Z, Q, unique, &count);
+    status = algsurf_i_paper_inclusion(p, r, degree, z, q, &options, Z, Q, unique, &count);
     if (inflations) *inflations = count;
     return status;
 }
 
-algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
-                                          algsurf_complex z, const algsurf_complex *q,
-                                          const algsurf_zero_options *options, algsurf_cinterval *Z,
-                                          algsurf_cinterval *Q, int *unique, int *inflations) {
+algsurf_status algsurf_paper_inclusion(const algsurf_complex *p, const double *r, int degree,
+                                       algsurf_complex z, const algsurf_complex *q,
+                                       const algsurf_paper_options *options, algsurf_cinterval *Z,
+                                       algsurf_cinterval *Q, int *unique, int *inflations) {
     algsurf_status status;
     ALGSURF_STANDARD(status = include(p, r, degree, z, q, options, Z, Q, unique, inflations));
     return status;

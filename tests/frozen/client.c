@@ -169,12 +169,12 @@ static void check_roots(void) {
         CHECK(algsurf_refine_poly(c, NULL, 2, 1, 2, at_edge(&r, sizeof r), &root) == ALGSURF_OK);
         CHECK(near(root.root, sqrt(2)) && root.converged == 1);
     }
-    BLANK(algsurf_zero_options, z);
+    BLANK(algsurf_paper_options, z);
     z.relative_step = 1e-10, z.max_steps = 60, z.max_inflations = 12;
     {
-        algsurf_cpoly_zero zeros[2];
+        algsurf_paper_zero zeros[2];
         int complete = 0;
-        CHECK(algsurf_cpoly_zeros(p, NULL, 2, start, at_edge(&z, sizeof z), zeros, &complete) == ALGSURF_OK);
+        CHECK(algsurf_paper_zeros(p, NULL, 2, start, at_edge(&z, sizeof z), zeros, &complete) == ALGSURF_OK);
         CHECK(complete == 1 && near(zeros[0].root.re + zeros[1].root.re, 0));
         CHECK(zeros[0].verified == 1 && zeros[1].verified == 1);
     }

@@ -9,6 +9,7 @@
 #include "algsurf/allroots.h"
 #include "algsurf/batch.h"
 #include "algsurf/select.h"
+#include "algsurf/papers.h"
 #include "algsurf/surface.h"
 #include "algsurf/ray.h"
 #include "algsurf/enclose.h"

@@ -45,32 +45,6 @@ typedef struct algsurf_complex_batch {
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
                                                        algsurf_complex_root *roots, int *count);
-typedef struct algsurf_zero_options {
-    size_t size;
-    double relative_step;
-    int max_steps;
-    int max_inflations;
-} algsurf_zero_options;
-ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
-                                                 const algsurf_zero_options *options, algsurf_complex *z,
-                                                 algsurf_complex *q, int *steps);
-ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
-                                                      algsurf_complex z, const algsurf_complex *q,
-                                                      const algsurf_zero_options *options,
-                                                      algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
-                                                      int *inflations);
-typedef struct algsurf_cpoly_zero {
-    algsurf_cinterval box;
-    algsurf_complex root;
-    int verified;
-    int unique;
-    int converged;
-    int steps, inflations;
-} algsurf_cpoly_zero;
-ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
-                                               const algsurf_complex *start,
-                                               const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
-                                               int *complete);
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 typedef struct algsurf_complex_solver_stats {
     size_t size;

@@ -1,4 +1,4 @@
-/* seed.h - what the seed's algorithms share: the system they solve, its units, its defect.
+/* papers.h - what the algorithms of algsurf/papers.h share: the system they solve, its units, its defect.
  *
  * Unknowns z and q_0..q_{n-2}; q_{n-1} = p_n is given, q_{-1} = 0.  The system
  *     F_i = q_{i-1} - z q_i - p_i = 0,   i = 0..n-1,   says that   p(X) = (X - z) sum q_i X^i.
@@ -13,16 +13,16 @@
  *
  * Source: Hammer, Hocks, Kulisch, Ratz, C++ Toolbox for Verified Computing, 1995, ch. 9.
  */
-#ifndef ALGSURF_ALLROOTS_SEED_H
-#define ALGSURF_ALLROOTS_SEED_H
-#include "algsurf/allroots.h"
+#ifndef ALGSURF_COMPLEX_PAPERS_H
+#define ALGSURF_COMPLEX_PAPERS_H
+#include "algsurf/papers.h"
 #include "../base/eft.h"
 
 /* The caller's options with defaults filled in. */
-algsurf_status algsurf_i_zero_options(const algsurf_zero_options *given, algsurf_zero_options *options);
+algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsurf_paper_options *options);
 
 /* Finite coefficients and finite radii that are not negative, degree 1..ALGSURF_MAX_POLY_DEGREE. */
-algsurf_status algsurf_i_zero_check(const algsurf_complex *p, const double *r, int degree);
+algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree);
 
 /* The larger part's magnitude. */
 static inline double algsurf_i_size(algsurf_complex z) { return fmax(fabs(z.re), fabs(z.im)); }
@@ -53,15 +53,15 @@ static inline algsurf_i_defect algsurf_i_defect_part(double q, double a, double 
     return (algsurf_i_defect){s.hi, {x.lo, y.lo, s.lo, ab.lo, ef.lo}, small ? 0x1p-1029 : 0};
 }
 
-/* algsurf_approximation in the standard environment; arguments were checked. */
-algsurf_status algsurf_i_approximation(const algsurf_complex *p, int n, algsurf_complex start,
-                                       const algsurf_zero_options *options, algsurf_complex *z,
-                                       algsurf_complex *q, int *steps);
+/* algsurf_paper_approximation in the standard environment; arguments were checked. */
+algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, algsurf_complex start,
+                                             const algsurf_paper_options *options, algsurf_complex *z,
+                                             algsurf_complex *q, int *steps);
 
-/* algsurf_interval_iteration, likewise; r, Q, unique may be null. */
-algsurf_status algsurf_i_interval_iteration(const algsurf_complex *p, const double *r, int n,
-                                            algsurf_complex z, const algsurf_complex *q,
-                                            const algsurf_zero_options *options, algsurf_cinterval *Z,
-                                            algsurf_cinterval *Q, int *unique, int *inflations);
+/* algsurf_paper_inclusion, likewise; r, Q, unique may be null. */
+algsurf_status algsurf_i_paper_inclusion(const algsurf_complex *p, const double *r, int n, algsurf_complex z,
+                                         const algsurf_complex *q, const algsurf_paper_options *options,
+                                         algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
+                                         int *inflations);
 
 #endif
