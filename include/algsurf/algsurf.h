@@ -17,7 +17,7 @@
  *                  the member's comment says that it is required.  What an older caller's struct lacks counts
  *                  as 0.  A newer caller's larger struct, of 4096 bytes at most, is taken if the bytes that the
  *                  library does not know are 0.  Every other size is E_ARGUMENT.  Of a struct that receives
- *                  results only the size is read;
+ *                  results only the size is read, and bytes that the library does not know become 0;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
  *                  _bracket, _refined_root, _complex_root, _paper_zero; _term, _constant, _parse_error;
  *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int;
@@ -25,8 +25,9 @@
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
  *                  refusal, an unknown positive one means undecided or stopped early.
- * The last digits of approximate values, the width of enclosures, the colours of pixels and what is undecided
- * may change with a version, within what is guaranteed.  The rules that keep this are in lib/algsurf.map.
+ * The last digits of approximate values, the width of enclosures, the colours of pixels, what is undecided,
+ * and how an answer was found (cells, tiles, ways, counts) may change with a version, within what is
+ * guaranteed.  The rules that keep this are in lib/algsurf.map.
  */
 #ifndef ALGSURF_ALGSURF_H
 #define ALGSURF_ALGSURF_H

@@ -139,7 +139,7 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
 /* Work memory for repeated calls of high degree; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 
-/* What a solve took. */
+/* What a solve took, in this version. */
 typedef struct algsurf_complex_solver_stats {
     size_t size;    /* sizeof(algsurf_complex_solver_stats), set by the caller */
     int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration in double, in all */

@@ -164,8 +164,8 @@ typedef struct algsurf_ray_packet {
     size_t count;                           /* of rays; the arrays may be null when it is 0 */
     const double *origin[3], *direction[3]; /* x, y, z */
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
-    const unsigned char *active; /* null: all; active[i] = 0: ray i is skipped, its numbers may be any,
-                                    and nothing is written for it */
+    const unsigned char *active; /* null: all; active[i] = 0: ray i is skipped, its numbers may be any, and
+                                    its entries in the answers stay as they are */
     ptrdiff_t step;              /* from one ray's numbers to the next one's; 0: 1 */
     const float *float_origin[3], *float_direction[3]; /* rays in floats: then there is no double */
     const float *float_t_min, *float_t_max;            /* null: as above */

@@ -5,6 +5,7 @@
  * nothing.  (Roots on the whole line, and of degrees 1 and 2, have a shorter way than the search that is shown:
  * without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
+ * Which cells and points there are is this version's way to search: no promise but for what is said of each.
  * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the
  * interval asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A
  * cell with two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all
@@ -65,8 +66,8 @@ typedef void (*algsurf_cell_observer)(const algsurf_cell *cell, void *data);
 typedef void (*algsurf_point_observer)(double t, double value, int engine, void *data);
 
 /* Callbacks, and counts.  Callbacks run in the library's floating-point environment (round to nearest, all
- * exceptions masked) and must leave it as it is; they must not change the observer.  One observer serves one
- * call at a time. */
+ * exceptions masked) and must leave it as it is, and return; they must not change the observer.  One observer
+ * serves one call at a time. */
 typedef struct algsurf_observer {
     size_t size;                     /* sizeof(algsurf_observer) */
     algsurf_cell_observer on_cell;   /* null: nobody is told of cells */

@@ -55,7 +55,7 @@ typedef struct algsurf_refined_root {
                       more than that; it cannot tell whether it is near a root or only slow */
 } algsurf_refined_root;
 
-/* Real function of a real variable; data is the caller's, passed through. */
+/* Real function of a real variable, which must return; data is the caller's, passed through. */
 typedef double (*algsurf_function)(double x, void *data);
 
 /* A root of f in [lo,hi], f(lo) and f(hi) of opposite sign (or one of them zero).

@@ -151,9 +151,9 @@ ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
 ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
 
 /* Called on the thread that called algsurf_render, after each finished row of that thread and ten times a
- * second while it waits, with the number of rows done by all threads.  If it returns non-zero the picture is
- * cancelled: unfinished rows are abandoned.  In a picture that is not cancelled the last call has rows_done =
- * rows_total. */
+ * second while it waits, with the number of rows done by all threads.  It must return; if it returns non-zero
+ * the picture is cancelled: unfinished rows are abandoned.  In a picture that is not cancelled the last call
+ * has rows_done = rows_total. */
 typedef int (*algsurf_progress)(int rows_done, int rows_total, void *data);
 
 /* Size and part of a picture, threads, and who is told. */
@@ -167,7 +167,8 @@ typedef struct algsurf_render_options {
     void *progress_data;       /* the caller's, passed through */
 } algsurf_render_options;
 
-/* What a picture took. */
+/* What a picture took.  Tiles, and which rays are decided with them, one by one or by integers, are this
+ * version's. */
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
@@ -212,7 +213,7 @@ typedef enum algsurf_pixel_format {
     ALGSURF_RGBA8 = 1
 } algsurf_pixel_format;
 
-/* How a ray of a picture was decided. */
+/* How a ray of a picture was decided: by this version; another may decide it otherwise. */
 typedef enum algsurf_way {
     ALGSURF_WAY_EMPTY = 0, /* with its tile: it is proved that no ray of the tile hits */
     ALGSURF_WAY_SHEET = 1, /* with its tile: it is proved in which interval the first root of each ray is, and
@@ -259,7 +260,7 @@ typedef struct algsurf_picture {
  * samples it traces 32/n^2 rays, rounded up.  16/n^2 rays, rounded up, go around: they end on a ball that
  * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
  * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
- * pixel is in the whole picture.
+ * pixel is in the whole picture.  These numbers, and how directions are chosen, are this version's.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  It is
  * returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as undecided).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a

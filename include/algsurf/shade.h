@@ -63,7 +63,8 @@ typedef struct algsurf_lighting {
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
-/* The colour of a point, as pictures of standard and full quality show it.
+/* The colour of a point, as pictures of standard and full quality show it.  The formula is this version's; a
+ * later one may shade otherwise, but calls and pictures alike.
  *   visible    null, as in standard quality: all lights reach the point.  Or light_count + 1 shares, 0..1:
  *              for each light the share of its points that nothing hides, and last the share of the
  *              directions around the point that are free

@@ -17,6 +17,7 @@
  *                   largest relative error of one rounding;
  *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; of a
  *                   callback's parameters its data do;
+ *   callbacks       must return: neither longjmp nor an exception may leave one through the library;
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
  *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
  *                   saved and restored;
