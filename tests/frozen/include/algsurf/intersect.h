@@ -18,10 +18,11 @@ typedef enum algsurf_undecided_as {
     ALGSURF_AS_MISS = 2
 } algsurf_undecided_as;
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,
-    ALGSURF_HIT = 1,
-    ALGSURF_UNDECIDED = 2,
-    ALGSURF_THIN = 3
+    ALGSURF_STATE_MISS = 0,
+    ALGSURF_STATE_HIT = 1,
+    ALGSURF_STATE_UNDECIDED = 2,
+    ALGSURF_STATE_THIN = 3,
+    ALGSURF_STATE_REFUSED = 4
 } algsurf_hit_state;
 typedef struct algsurf_hit {
     int state;
@@ -45,6 +46,7 @@ typedef struct algsurf_intersect_options {
     algsurf_observer *observer;
     const algsurf_plane *planes;
     size_t plane_count;
+    int side;
 } algsurf_intersect_options;
 #define ALGSURF_DEFAULT_MEMORY ((size_t)1 << 30)
 ALGSURF_API const char *algsurf_kernel_name(int index);
@@ -59,12 +61,17 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             int *state);
+ALGSURF_API algsurf_status algsurf_hit_leave(const algsurf_surface *surface, const algsurf_ray *ray,
+                                             const algsurf_hit *hit, int side, double start[3]);
 typedef struct algsurf_ray_packet {
     size_t size;
     size_t count;
     const double *origin[3], *direction[3];
     const double *t_min, *t_max;
     const unsigned char *active;
+    ptrdiff_t step;
+    const float *float_origin[3], *float_direction[3];
+    const float *float_t_min, *float_t_max;
 } algsurf_ray_packet;
 typedef struct algsurf_hit_packet {
     size_t size;
@@ -72,7 +79,7 @@ typedef struct algsurf_hit_packet {
     double *t, *t_lo, *t_hi;
     double *position[3], *normal[3];
     int *multiplicity;
-    signed char *side;
+    signed char *side, *reason;
 } algsurf_hit_packet;
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
                                                     const algsurf_extent *extent,
