@@ -323,10 +323,10 @@ static inline int exact_is_long(const algsurf_extent *extent, const algsurf_plan
         for (int i = 0; i < 3; i++)
             size += fabs(planes[k].normal[i]) * (fabs(ray->origin[i]) + reach * fabs(ray->direction[i]));
         closer[k] = planes[k], closer[k].offset -= ldexp(size, -36);
-        if (!isfinite(closer[k].offset)) return 0;
+        if (!isfinite(closer[k].offset) || size == 0) return 0;
     }
     return algsurf_region_clip(&inner, closer, plane_count, ray, &part, &meets) == ALGSURF_OK && meets &&
-           part.t_max - part.t_min >= fmax(ldexp(reach, -36), DBL_MIN);
+           part.t_max - part.t_min >= fmax(ldexp(reach, -36), 0x1p-900);
 }
 
 /* The sign behind the last place; or, where there is none, at any number on the ray's part inside.  The
@@ -336,13 +336,12 @@ static inline void exact_set_end_sign(exact_hits *h, mpz_t *p, int n, const exac
                                       size_t plane_count, const algsurf_ray *ray) {
     algsurf_ray chord;
     int meets = 0;
-    h->end_sign = EXACT_NOT_KNOWN;
+    h->end_sign = EXACT_NOT_KNOWN, h->is_short = 1;
     if (h->count > 0) h->end_sign = exact_sign_after(p, n, h->place + h->count - 1);
-    (void)algsurf_region_clip(extent, planes, plane_count, ray, &chord, &meets);
-    h->is_short = !meets || !exact_is_long(extent, planes, plane_count, ray, &chord);
+    if (algsurf_region_clip(extent, planes, plane_count, ray, &chord, &meets) != ALGSURF_OK || !meets) return;
     double lo = fmax(chord.t_min, -DBL_MAX), hi = fmin(chord.t_max, DBL_MAX);
     const double tried[] = {0.5 * lo + 0.5 * hi, fmax(lo, fmin(hi, 0)), lo, hi};
-    for (size_t i = 0; meets && h->end_sign == EXACT_NOT_KNOWN && i < sizeof tried / sizeof *tried; i++) {
+    for (size_t i = 0; h->end_sign == EXACT_NOT_KNOWN && i < sizeof tried / sizeof *tried; i++) {
         mpq_t q;
         if (!exact_is_shown(tried[i], face, faces, ray)) continue;
         mpq_init(q);
@@ -350,6 +349,7 @@ static inline void exact_set_end_sign(exact_hits *h, mpz_t *p, int n, const exac
         h->end_sign = exact_sign_q(p, n, q);
         mpq_clear(q);
     }
+    h->is_short = h->end_sign == EXACT_NOT_KNOWN || !exact_is_long(extent, planes, plane_count, ray, &chord);
 }
 
 /* What there is on a ray; extent may be null, and planes where there are none.  To be cleared. */

@@ -318,7 +318,7 @@ TEST(test_bad_numbers) {
     c = good, c.options.relative_step = -1, refused(&c, argument, argument, argument);
     c = good, c.options.max_steps = -1, refused(&c, argument, argument, argument);
     c = good, c.options.max_inflations = -1, refused(&c, argument, argument, argument);
-    c = good, c.options.size = 2, refused(&c, argument, argument, argument);
+    c = good, c.options.size = 2, refused(&c, ALGSURF_E_SIZE, ALGSURF_E_SIZE, ALGSURF_E_SIZE);
 }
 
 TEST(test_null) {

@@ -180,7 +180,7 @@ TEST(test_options) {
     assert_ok(algsurf_paper_approximation(p, 3, start, &half, &z, q, &loose));
     algsurf_paper_options small = half;
     for (small.size = 0; small.size < sizeof small; small.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_paper_approximation(p, 3, start, &small, &y, s, &said), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_paper_approximation(p, 3, start, &small, &y, s, &said), ALGSURF_E_SIZE);
     assert_ok(algsurf_paper_approximation(p, 3, start, NULL, &z, q, &usual));
     assert_ok(algsurf_paper_approximation(p, 3, start, &spelt, &y, s, &said));
     assert_true(said == usual && loose < usual && y.re == z.re && y.im == z.im);

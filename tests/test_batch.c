@@ -604,7 +604,7 @@ TEST(test_errors) {
     lo[77] = was;
     expect_error(NULL, NULL, ALGSURF_E_ARGUMENT);
     p.size = 3;
-    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    expect_error(&p, NULL, ALGSURF_E_SIZE);
     p = good, p.degree = -1;
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
     p = good, p.degree = ALGSURF_MAX_POLY_DEGREE + 1;
@@ -615,7 +615,7 @@ TEST(test_errors) {
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
     for (size_t size = 0; size < sizeof p; size++) { /* no release had a smaller struct */
         p = good, p.size = size;
-        expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+        expect_error(&p, NULL, ALGSURF_E_SIZE);
     }
     options.kernel = "none";
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);

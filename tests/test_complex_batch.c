@@ -268,7 +268,7 @@ TEST(the_interface) {
     algsurf_complex_batch bad = b.packet;
     found[0] = 77;
     assert_int_equal(algsurf_complex_roots_batch(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_complex_roots_batch(&bad, &small, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, &small, roots, found), ALGSURF_E_SIZE);
     assert_int_equal(algsurf_complex_roots_batch(&bad, &coarse, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);

@@ -399,8 +399,7 @@ TEST(test_bad_arguments) {
                      ALGSURF_E_ARGUMENT);
     bad = good;
     bad.size = 1;
-    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
-                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL), ALGSURF_E_SIZE);
     assert_memory_equal(&hit, &before, sizeof hit);
     algsurf_surface_free(s);
 }

@@ -217,8 +217,8 @@ TEST(test_capacity) {
     int count = 77;
     memset(hits, 0x5a, sizeof hits), memcpy(untouched, hits, sizeof hits);
     intersect_equation(&c, equations[0]);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 0, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 1, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 0, &count), ALGSURF_E_CAPACITY);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 1, &count), ALGSURF_E_CAPACITY);
     assert_memory_equal(hits, untouched, sizeof hits);
     assert_int_equal(count, 77);
     assert_ok(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count));
@@ -236,9 +236,9 @@ TEST(test_options) {
     algsurf_intersect_options o = defaults;
     intersect_equation(&c, equations[0]);
     newer.known.size = sizeof newer, expect(ALGSURF_OK, c.surface, all, &ray, &newer.known);
-    newer.unknown[3] = 1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &newer.known);
+    newer.unknown[3] = 1, expect(ALGSURF_E_SIZE, c.surface, all, &ray, &newer.known);
     for (o.size = 0; o.size < sizeof o; o.size++) /* no release had a smaller one */
-        expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+        expect(ALGSURF_E_SIZE, c.surface, all, &ray, &o);
     o = defaults, o.absolute_tolerance = NAN;
     expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o.absolute_tolerance = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);

@@ -791,9 +791,9 @@ TEST(test_errors) {
     assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     rays.origin[2] = p.origin[2];
     for (rays.size = 0; rays.size < sizeof rays; rays.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
     for (hits.size = 0; hits.size < sizeof hits; hits.size++)
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
     const algsurf_ray_packet none = {.size = sizeof none};
     const algsurf_hit_packet nowhere = {.size = sizeof nowhere};
     assert_ok(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere));

@@ -306,7 +306,7 @@ TEST(test_capacity) {
     int k = 77;
     memset(b, 0x5a, sizeof b), memcpy(untouched, b, sizeof b);
     for (int room = 0; room < 3; room++)
-        assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, room, &k), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, room, &k), ALGSURF_E_CAPACITY);
     assert_int_equal(k, 77);
     assert_memory_equal(b, untouched, sizeof b);
     assert_ok(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k));

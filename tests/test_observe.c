@@ -225,12 +225,12 @@ TEST(bad_observers) {
     algsurf_isolate_options o = {.size = sizeof o, .observer = &observer};
     algsurf_bracket b[3];
     int count = 77;
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_E_SIZE);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_SIZE);
     observer.size = sizeof observer;
     o.size = 5;
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_E_SIZE);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_SIZE);
     assert_true(count == 77 && observer.cells == 0);
     o.size = sizeof o; /* no callbacks: it counts, and adds */
     assert_ok(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count));
@@ -383,7 +383,7 @@ TEST(packets_and_pictures_refuse) {
     assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_E_ARGUMENT);
     assert_true(hit == 77 && observer.cells == 0);
     observer.size = 0;
-    assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_SIZE);
     how.observer = NULL;
     assert_ok(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits));
     assert_ok(algsurf_scene_set_intersect(picture, &how));

@@ -127,7 +127,7 @@ TEST(test_refused) {
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, NULL, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 2, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, -1, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 1, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 1, &count), ALGSURF_E_CAPACITY);
     assert_int_equal(count, 77);
     assert_ok(algsurf_real_roots_integers(longest, 1, 0, 1, t, 1, &count));
     assert_true(count == 1 && t[0].lo == 0 && t[0].hi == 0x1p-1074);

@@ -526,10 +526,10 @@ TEST(test_options) {
     assert_ok(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r));
     assert_int_equal(r.evaluations, 12);
     newer.later = 1; /* a wish this version does not know */
-    assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r), ALGSURF_E_SIZE);
     algsurf_refine_options o = options_of(ALGSURF_METHOD_BISECTION, 1e-3, 2);
     for (o.size = 0; o.size < sizeof o; o.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &o, &r), ALGSURF_E_SIZE);
     algsurf_refine_options bad[7];
     for (int i = 0; i < 7; i++) bad[i] = options_of(ALGSURF_METHOD_DEFAULT, 0, 0);
     bad[0].size = 0, bad[1].size = sizeof(size_t) - 1, bad[2].absolute_tolerance = -1e-300,
@@ -537,8 +537,9 @@ TEST(test_options) {
     bad[4].absolute_tolerance = INFINITY, bad[5].max_iterations = -1, bad[6].method = 4;
     const double c[2] = {-0.5, 1};
     for (int i = 0; i < 7; i++) {
-        assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &bad[i], &r), ALGSURF_E_ARGUMENT);
-        assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &bad[i], &r), ALGSURF_E_ARGUMENT);
+        const algsurf_status wanted = i < 2 ? ALGSURF_E_SIZE : ALGSURF_E_ARGUMENT;
+        assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &bad[i], &r), wanted);
+        assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &bad[i], &r), wanted);
     }
 }
 
@@ -690,8 +691,8 @@ TEST(test_observer_of_others) {
     assert_int_equal(algsurf_refine_poly(NULL, NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 0, &o, &r), ALGSURF_E_ARGUMENT);
     observer.size = 7;
-    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &o, &r), ALGSURF_E_SIZE);
+    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_E_SIZE);
     observer.size = sizeof observer;
     assert_int_equal(seen.calls, 0);
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 2, &o, &r), ALGSURF_E_ARGUMENT);

@@ -445,7 +445,7 @@ TEST(lighting_of_scenes) {
     assert_int_equal(algsurf_scene_lighting(scene, NULL, &l), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_lighting(scene, lights, NULL), ALGSURF_E_ARGUMENT);
     l.size--;
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_E_SIZE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
@@ -580,7 +580,7 @@ TEST(bad_scene) {
     REFUSED(NOT_FINITE, set_background(scene, colour));
     REFUSED(NOT_FINITE, set_thin(scene, colour));
     o.size = 1;
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(SIZE, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .tier = 2};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .method = 4};

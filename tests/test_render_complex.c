@@ -343,7 +343,7 @@ TEST(setters) {
     assert_int_equal(algsurf_scene_set_complex_space(NULL, NULL), ALGSURF_E_ARGUMENT);
 #define REFUSE(change, status)                                                                               \
     (bad = good, (change), assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_##status))
-    REFUSE(bad.size = 1, ARGUMENT);
+    REFUSE(bad.size = 1, SIZE);
     REFUSE(bad.sector.sigma = -0.1, ARGUMENT);
     REFUSE(bad.sector.delta = -0.1, ARGUMENT);
     REFUSE(bad.sector.delta = 4, ARGUMENT);
@@ -368,7 +368,7 @@ TEST(setters) {
     assert_same_picture(before, after);
     free(after);
     for (bad.size = 0; bad.size < sizeof bad; bad.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_SIZE);
     assert_ok(algsurf_scene_set_complex_space(scene, NULL));
     after = drawn(scene, 1);
     assert_same_picture(real, after);

@@ -126,7 +126,8 @@ TEST(bad_planes) {
     assert_int_equal(algsurf_render(scene, &o, NULL, &p.stats), ALGSURF_E_ARGUMENT);
 #define REFUSE(change)                                                                                       \
     (bad = good, (change), assert_int_equal(algsurf_render(scene, &o, &bad, &p.stats), ALGSURF_E_ARGUMENT))
-    for (size_t size = 0; size < sizeof bad; size++) REFUSE(bad.size = size); /* none of any release */
+    for (bad = good, bad.size = 0; bad.size < sizeof bad; bad.size++) /* none of any release */
+        assert_int_equal(algsurf_render(scene, &o, &bad, &p.stats), ALGSURF_E_SIZE);
     REFUSE(bad.stride = 1);
     REFUSE(bad.stride = 3 * W - 1);
     REFUSE((bad.stride = 4 * W - 1, bad.format = ALGSURF_RGBA8));
@@ -147,7 +148,8 @@ TEST(bad_options) {
     refuse(NULL, &good, ALGSURF_E_ARGUMENT);
     refuse(scene, NULL, ALGSURF_E_ARGUMENT);
 #define REFUSE(change) (o = good, (change), refuse(scene, &o, ALGSURF_E_ARGUMENT))
-    for (size_t size = 0; size < sizeof o; size++) REFUSE(o.size = size); /* none of any release */
+    for (o.size = 0; o.size < sizeof o; o.size++) /* none of any release */
+        refuse(scene, &o, ALGSURF_E_SIZE);
     REFUSE(o.width = 0);
     REFUSE(o.width = 65536);
     REFUSE(o.height = -1);
@@ -162,7 +164,7 @@ TEST(bad_options) {
 #undef REFUSE
     blank(&p);
     for (p.stats.size = 0; p.stats.size < sizeof p.stats; p.stats.size++)
-        assert_int_equal(algsurf_render(scene, &good, &planes, &p.stats), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_render(scene, &good, &planes, &p.stats), ALGSURF_E_SIZE);
     assert_int_equal(p.bytes[0], SENTINEL);
     algsurf_camera huge = camera_at(7, 4, 5, 36);
     huge.orthographic = 1, huge.half_height = 1.7e308;
@@ -194,9 +196,9 @@ TEST(sized_structs) {
     assert_same_picture(whole, &p);
     assert_true(stats.s.rays == W * H && stats.more == 0 && stats.s.size == sizeof stats);
     planes.more = 1;
-    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_SIZE);
     planes.more = 0, newer.more = 1;
-    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_SIZE);
     free(whole);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }

@@ -449,7 +449,7 @@ TEST(bad_lighting) {
     algsurf_lighting l = good;
     refuse_lighting(NULL, ALGSURF_E_ARGUMENT);
     l.size = 4;
-    refuse_lighting(&l, ALGSURF_E_ARGUMENT);
+    refuse_lighting(&l, ALGSURF_E_SIZE);
     l = good, l.material = NULL;
     refuse_lighting(&l, ALGSURF_E_ARGUMENT);
     l = good, l.lights = NULL;
@@ -503,7 +503,7 @@ TEST(bad_material) {
     m = material, m.roughness = 0;
     refuse_lighting(&lighting, ALGSURF_E_ARGUMENT);
     m = material, m.size = 0;
-    refuse_lighting(&lighting, ALGSURF_E_ARGUMENT);
+    refuse_lighting(&lighting, ALGSURF_E_SIZE);
 }
 
 TEST(rounding_modes) {

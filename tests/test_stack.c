@@ -201,7 +201,7 @@ static void one_leave(const algsurf_surface *s, const algsurf_extent *e, const a
     double start[3];
     (void)algsurf_hit_leave(s, r, &hit, e && o->tier ? 1 : -1, start);
 }
-STACK_OF(algsurf_hit_leave, 8, RENDERER) { for_rays(one_leave); }
+STACK_OF(algsurf_hit_leave, USUAL, RENDERER) { for_rays(one_leave); }
 
 static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                         const algsurf_intersect_options *o) {

@@ -19,6 +19,8 @@ static const struct {
     {ALGSURF_E_THREAD, -8, "ALGSURF_E_THREAD"},
     {ALGSURF_E_BUILD, -9, "ALGSURF_E_BUILD"},
     {ALGSURF_E_NAME, -10, "ALGSURF_E_NAME"},
+    {ALGSURF_E_SIZE, -11, "ALGSURF_E_SIZE"},
+    {ALGSURF_E_CAPACITY, -12, "ALGSURF_E_CAPACITY"},
     {ALGSURF_OK, 0, "ALGSURF_OK"},
     {ALGSURF_UNDECIDED_MULTIPLE, 1, "ALGSURF_UNDECIDED_MULTIPLE"},
     {ALGSURF_UNDECIDED_END, 2, "ALGSURF_UNDECIDED_END"},
@@ -54,7 +56,7 @@ TEST(test_texts) {
 }
 
 TEST(test_unknown) {
-    static const int numbers[] = {-11, -100, 8, 1000};
+    static const int numbers[] = {-13, -100, 8, 1000};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         assert_string_equal(algsurf_status_text((algsurf_status)numbers[i]), "unknown status");
         assert_string_equal(algsurf_status_name((algsurf_status)numbers[i]), "unknown");

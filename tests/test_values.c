@@ -4,8 +4,8 @@
  * Points are next to roots, where all digits of Horner's rule cancel.  Exact are numbers of 12288 bits, which
  * hold each value whole.
  *
- * Breaks tried, each caught: the error of a sum left out, in either part; a point answered by the first one of its
- * register. */
+ * Breaks tried, each caught: the error of a sum left out, in either part; a point answered by the first one
+ * of its register. */
 #include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
 
 #include <gmp.h>

@@ -123,7 +123,7 @@ typedef struct algsurf_complex_batch {
  *            negative algsurf_status: its entries mean nothing then
  * roots and count may not overlap the input.
  * Returns the first error in count, or OK; the answers for all other polynomials are valid.
- * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel, a relative_tolerance): nothing is
+ * Errors: E_ARGUMENT (null, degree outside its range, bad kernel, a relative_tolerance): nothing is
  * written; else those of the single call.
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: polynomials without radii of degree 24 at most are solved side by side, as many as the kernel has

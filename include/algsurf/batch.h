@@ -48,7 +48,7 @@ typedef enum algsurf_first_root_state {
  * of algsurf_real_roots.  The bits of an answer depend on its polynomial only, not on the kernel, the other
  * polynomials or their number.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, NaN as an end, negative
- * radius, bad size, relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii): that of the first bad
+ * radius, relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii): that of the first bad
  * polynomial, and nothing is written.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
  * the other answers are valid.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more.  A

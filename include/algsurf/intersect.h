@@ -126,7 +126,7 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
  *   count           how many were written, undecided ones included
  * Guarantee: that of the first hit, for each; there is no hit outside the entries.  The first entry is the
  * hit of algsurf_intersect_first; its t, t_lo and t_hi may differ if one of the calls needed integers.
- * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Cost: 0.3 to 3 microseconds
+ * Errors: as above; E_CAPACITY (nothing is written).  Cost: 0.3 to 3 microseconds
  * for the first of them, for degrees 2 to 10, and about as much for each of the others, unless integers
  * decide.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -188,7 +188,7 @@ typedef struct algsurf_hit_packet {
  *            the rays are solved one by one; a tolerance makes packets no faster
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
- * Errors: those of the single call for extent and options, and E_ARGUMENT (null, a wrong size, doubles and
+ * Errors: those of the single call for extent and options, and E_ARGUMENT (null, doubles and
  * floats at once): nothing is written.  A bad ray's state is REFUSED, its reason the error of the single
  * call, the rest that of a miss; E_NO_MEMORY: the rays that could not be decided for want of memory are
  * UNDECIDED, [t_lo, t_hi] the whole ray.  In both cases all others are answered, and the first such error is

@@ -47,8 +47,8 @@ typedef struct algsurf_real_root {
  *   c                 degree+1 coefficients, power basis, lowest first
  *   roots, capacity   room for the answer; the degree, at least 1, always suffices
  *   count             how many were written
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small:
- * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN), E_CAPACITY,
+ * E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY: nothing is written.
  * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
  * 20, in integers of some hundred bits; only larger ones are allocated, 1 GiB at most.
  * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
@@ -116,7 +116,7 @@ ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *
  * Returns OK: every entry is a root, and there are no others: verified.  Positive, only with radii: the
  * status of the first undecided entry; no root lies outside the entries.
  * If there are more than `degree` such places, several are returned as one undecided entry.
- * Errors: as above; E_ARGUMENT when capacity is too small.  40 KiB of stack.  Since 1.0. */
+ * Errors: as above; E_CAPACITY.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_isolate_options *options,
                                                algsurf_bracket *brackets, int capacity, int *count);

@@ -93,7 +93,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const do
  * colours of the scene's pictures.
  *   lights    room for ALGSURF_MAX_LIGHTS
  *   lighting  its size set by the caller; it points to lights and to the scene's material: both must stay
- * Errors: E_ARGUMENT (null; a size too small).  Since 1.0. */
+ * Errors: E_ARGUMENT (null), E_SIZE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_lighting(const algsurf_scene *scene,
                                                   algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                                   algsurf_lighting *lighting);
@@ -263,7 +263,7 @@ typedef struct algsurf_picture {
  * pixel is in the whole picture.  These numbers, and how directions are chosen, are this version's.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  It is
  * returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as undecided).
- * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
+ * Errors: E_ARGUMENT (null; an option, stride, or format out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
  * these count as undecided, everything else is drawn, and stats is written), E_THREAD (a lock could not be
  * made).

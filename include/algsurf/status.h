@@ -15,6 +15,8 @@
  * Conventions common to all functions, unless their comment says otherwise.
  *   names           comments leave the prefix of a status out: OK, E_RANGE, UNDECIDED_END.  u is 2^-53, the
  *                   largest relative error of one rounding;
+ *   sizes           structs that begin with their own size: E_SIZE if that is less than the struct has, or above
+ *                   4096 bytes, or if members that this version does not know are not 0;
  *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; of a
  *                   callback's parameters its data do;
  *   callbacks       must return: neither longjmp nor an exception may leave one through the library;
@@ -58,7 +60,7 @@ extern "C" {
 
 /* X(name, number, text).  Numbers are part of the ABI: appended, never reused. */
 #define ALGSURF_STATUS_LIST(X)                                                                               \
-    X(ALGSURF_E_ARGUMENT, -1, "an argument is null, out of its range, or a struct whose size is not set")    \
+    X(ALGSURF_E_ARGUMENT, -1, "an argument is null, or out of its range")                                    \
     X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite")                                                    \
     X(ALGSURF_E_NO_MEMORY, -3, "out of memory")                                                              \
     X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
@@ -68,6 +70,8 @@ extern "C" {
     X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
     X(ALGSURF_E_NAME, -10, "a name in the equation has no value")                                            \
+    X(ALGSURF_E_SIZE, -11, "a struct's size is not set, or it asks for what this version does not know")     \
+    X(ALGSURF_E_CAPACITY, -12, "no room for the whole answer")                                               \
     X(ALGSURF_OK, 0, "done")                                                                                 \
     X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
     X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \

@@ -9,6 +9,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "algsurf/status.h"
+
 #define ALGSURF_I_LARGEST_STRUCT 4096 /* bytes */
 
 /* Is the size that *given begins with one of a struct that holds known_size bytes? */
@@ -19,17 +21,18 @@ static inline int algsurf_options_fit(const void *given, size_t known_size) {
 }
 
 /* Copies *given, a struct whose first member is its size, into the `known_size` bytes at `known`,
- * whose own size member then is known_size.  Returns 1; 0 when the size does not fit or the unknown tail is not
- * zero: then `known` is untouched. */
-static inline int algsurf_options_read(void *known, size_t known_size, const void *given) {
+ * whose own size member then is known_size.  Returns OK; E_ARGUMENT (null), or E_SIZE when the size does not
+ * fit or the unknown tail is not zero: then `known` is untouched. */
+static inline algsurf_status algsurf_options_read(void *known, size_t known_size, const void *given) {
     size_t size;
+    if (!given) return ALGSURF_E_ARGUMENT;
     memcpy(&size, given, sizeof size);
-    if (!algsurf_options_fit(given, known_size)) return 0;
+    if (!algsurf_options_fit(given, known_size)) return ALGSURF_E_SIZE;
     for (size_t i = known_size; i < size; i++)
-        if (((const unsigned char *)given)[i] != 0) return 0;
+        if (((const unsigned char *)given)[i] != 0) return ALGSURF_E_SIZE;
     memcpy(known, given, known_size);
     memcpy(known, &known_size, sizeof known_size);
-    return 1;
+    return ALGSURF_OK;
 }
 
 /* Copies the `known_size` bytes at `known` into *given, whose size fits: the size stays, what is

@@ -279,8 +279,8 @@ algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const 
                                           algsurf_complex_root *roots, int *count,
                                           algsurf_complex_solver_stats *stats) {
     algsurf_complex_solver_stats known = {0};
-    if (!solver || !roots || !count || (stats && !algsurf_options_fit(stats, sizeof *stats)))
-        return ALGSURF_E_ARGUMENT;
+    if (!solver || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (stats && !algsurf_options_fit(stats, sizeof *stats)) return ALGSURF_E_SIZE;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
     algsurf_status status;
     ALGSURF_STANDARD(status = algsurf_i_all_roots(c, r, degree, 0, start, roots, count, &known));

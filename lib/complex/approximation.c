@@ -16,7 +16,7 @@
 
 algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsurf_paper_options *options) {
     algsurf_paper_options o = {sizeof o, 0, 0, 0};
-    if (given && !algsurf_options_read(&o, sizeof o, given)) return ALGSURF_E_ARGUMENT;
+    if (given && algsurf_options_read(&o, sizeof o, given) != ALGSURF_OK) return ALGSURF_E_SIZE;
     if (!isfinite(o.relative_step)) return ALGSURF_E_NOT_FINITE;
     if (o.relative_step < 0 || o.max_steps < 0 || o.max_inflations < 0) return ALGSURF_E_ARGUMENT;
     if (o.relative_step == 0) o.relative_step = 1e-10;

@@ -105,12 +105,12 @@ algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                            int *count) {
     algsurf_complex_batch p;
     algsurf_batch_options o = {.size = sizeof o};
-    if (!batch || !algsurf_options_read(&p, sizeof p, batch)) return ALGSURF_E_ARGUMENT;
-    if (options && !algsurf_options_read(&o, sizeof o, options)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(&p, sizeof p, batch);
+    if (status == ALGSURF_OK && options) status = algsurf_options_read(&o, sizeof o, options);
+    if (status != ALGSURF_OK) return status;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
     if (!kernel || p.degree < 1 || p.degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
     ALGSURF_STANDARD(status = o.relative_tolerance == 0
                                   ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
                                   : ALGSURF_E_ARGUMENT);

@@ -12,7 +12,8 @@
 #define MAX_SIDE 65535
 
 static algsurf_status read_options(const algsurf_render_options *given, algsurf_render_options *o) {
-    if (!given || !algsurf_options_read(o, sizeof *o, given)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(o, sizeof *o, given);
+    if (status != ALGSURF_OK) return status;
     if (o->row_begin == 0 && o->row_end == 0) o->row_end = o->height;
     int good = o->width >= 1 && o->width <= MAX_SIDE && o->height >= 1 && o->height <= MAX_SIDE &&
                o->row_begin >= 0 && o->row_begin < o->row_end && o->row_end <= o->height && o->threads >= 0 &&
@@ -23,8 +24,8 @@ static algsurf_status read_options(const algsurf_render_options *given, algsurf_
 /* The planes of a picture of that width. */
 static algsurf_status read_planes(const algsurf_picture *given, int width, algsurf_i_picture *picture) {
     algsurf_picture *planes = &picture->planes;
-    if (!given || !algsurf_options_read(planes, sizeof *planes, given)) return ALGSURF_E_ARGUMENT;
-    if (!planes->pixels) return ALGSURF_OK;
+    algsurf_status status = algsurf_options_read(planes, sizeof *planes, given);
+    if (status != ALGSURF_OK || !planes->pixels) return status;
     if (planes->format != ALGSURF_RGB8 && planes->format != ALGSURF_RGBA8) return ALGSURF_E_ARGUMENT;
     size_t row = (size_t)algsurf_i_channels(planes) * (size_t)width;
     if (planes->stride == 0) planes->stride = row;
@@ -120,7 +121,8 @@ static algsurf_status render(const algsurf_scene *scene, const algsurf_render_op
     double begun = algsurf_i_render_clock(&picture);
     algsurf_render_options o;
     algsurf_i_tally total = {.without_memory = 0};
-    if (!scene || (stats && !algsurf_options_fit(stats, sizeof *stats))) return ALGSURF_E_ARGUMENT;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    if (stats && !algsurf_options_fit(stats, sizeof *stats)) return ALGSURF_E_SIZE;
     algsurf_status status = read_options(options, &o);
     if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
     if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);

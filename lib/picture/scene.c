@@ -246,8 +246,8 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
 static algsurf_status give_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                     algsurf_lighting *lighting) {
     algsurf_lighting ours;
-    if (!scene || !lights || !lighting || !algsurf_options_fit(lighting, sizeof ours))
-        return ALGSURF_E_ARGUMENT;
+    if (!scene || !lights || !lighting) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_options_fit(lighting, sizeof ours)) return ALGSURF_E_SIZE;
     algsurf_i_scene_lighting(scene, lights, &ours);
     algsurf_options_write(lighting, &ours, sizeof ours);
     return ALGSURF_OK;

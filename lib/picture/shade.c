@@ -28,9 +28,10 @@ algsurf_status algsurf_i_colour_check(const double colour[3]) {
 }
 
 algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *m) {
-    if (!given || !algsurf_options_read(m, sizeof *m, given)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(m, sizeof *m, given);
+    if (status != ALGSURF_OK) return status;
     const double weights[] = {m->diffuse, m->ambient, m->fill, m->specular, m->roughness, m->haze};
-    algsurf_status status = algsurf_i_colour_check(m->outside);
+    status = algsurf_i_colour_check(m->outside);
     if (status == ALGSURF_OK) status = algsurf_i_colour_check(m->inside);
     if (status == ALGSURF_OK) status = check_range(weights, 6, 1);
     return status == ALGSURF_OK && m->roughness == 0 ? ALGSURF_E_ARGUMENT : status;
@@ -133,8 +134,8 @@ static int is_unit(const double v[3]) { return fabs(algsurf_dot(v, v) - 1) <= UN
 /* known, material: the caller's, as far as they are known here. */
 static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_lighting *known,
                                     algsurf_material *material) {
-    if (!given || !algsurf_options_read(known, sizeof *known, given)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_material_read(known->material, material);
+    algsurf_status status = algsurf_options_read(known, sizeof *known, given);
+    if (status == ALGSURF_OK) status = algsurf_i_material_read(known->material, material);
     if (status == ALGSURF_OK) status = algsurf_i_lights_check(known->lights, known->light_count);
     if (status != ALGSURF_OK) return status;
     known->material = material;

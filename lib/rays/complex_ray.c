@@ -306,9 +306,9 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
                                            algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_complex_space space;
     complex_query q;
-    if (!surface || !given || !hit || !algsurf_options_read(&space, sizeof space, given))
-        return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_ray_check(ray);
+    if (!surface || !hit) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(&space, sizeof space, given);
+    if (status == ALGSURF_OK) status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(region->extent);
     if (status == ALGSURF_OK) status = check(&space, surface->degree);
     if (status != ALGSURF_OK) return status;

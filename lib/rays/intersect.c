@@ -227,7 +227,7 @@ static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status == ALGSURF_OK) status = find(&q, ray, ALGSURF_WANT_ALL, 0, found, &n, &exact);
     if (status != ALGSURF_OK) return status;
-    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    if (n > capacity) return ALGSURF_E_CAPACITY;
     memcpy(hits, found, (size_t)n * sizeof *hits);
     *count = n;
     return ALGSURF_OK;

@@ -83,9 +83,10 @@ static int has_arrays(const algsurf_ray_packet *rays) {
 static algsurf_status prepare(algsurf_i_query *q, algsurf_ray_packet *rays, const algsurf_surface *surface,
                               const algsurf_extent *extent, const algsurf_ray_packet *given,
                               const algsurf_intersect_options *options) {
-    if (!surface || !given || !algsurf_options_read(rays, sizeof *rays, given)) return ALGSURF_E_ARGUMENT;
-    if (!has_arrays(rays)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_query_read(q, surface, extent, options);
+    if (!surface) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(rays, sizeof *rays, given);
+    if (status == ALGSURF_OK && !has_arrays(rays)) status = ALGSURF_E_ARGUMENT;
+    if (status == ALGSURF_OK) status = algsurf_i_query_read(q, surface, extent, options);
     return status == ALGSURF_OK && q->options.observer ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -261,8 +262,8 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
     algsurf_i_query q;
     algsurf_ray_packet read;
     algsurf_hit_packet hits;
-    if (!to || !algsurf_options_read(&hits, sizeof hits, to)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
+    algsurf_status status = algsurf_options_read(&hits, sizeof hits, to);
+    if (status == ALGSURF_OK) status = prepare(&q, &read, surface, extent, rays, options);
     return status == ALGSURF_OK ? answer_all(&q, &read, 0, &hits, exact) : status;
 }
 

@@ -14,12 +14,13 @@ ALGSURF_KERNEL_CHOICE(ray)
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options) {
     static const algsurf_intersect_options defaults = {.size = sizeof defaults};
-    if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(options, sizeof *options, given ? given : &defaults);
+    if (status != ALGSURF_OK) return status;
     if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
         return ALGSURF_E_ARGUMENT;
     if (options->side < -1 || options->side > 1) return ALGSURF_E_ARGUMENT;
     const algsurf_refine_options how = algsurf_i_refinement_of(options);
-    if (!algsurf_i_refine_is_good(&how)) return ALGSURF_E_ARGUMENT;
+    if ((status = algsurf_i_refine_check(&how)) != ALGSURF_OK) return status;
     if (options->kernel) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
         if (!kernel) return ALGSURF_E_ARGUMENT;

@@ -52,8 +52,10 @@ static algsurf_status check_shape(const algsurf_real_batch *p) {
 static algsurf_status read_batch(query *q, const algsurf_real_batch *batch,
                                  const algsurf_batch_options *options) {
     q->options = (algsurf_batch_options){.size = sizeof q->options};
-    if (!batch || !algsurf_options_read(&q->polys, sizeof q->polys, batch)) return ALGSURF_E_ARGUMENT;
-    if (options && !algsurf_options_read(&q->options, sizeof q->options, options)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_options_read(&q->polys, sizeof q->polys, batch);
+    if (status == ALGSURF_OK && options)
+        status = algsurf_options_read(&q->options, sizeof q->options, options);
+    if (status != ALGSURF_OK) return status;
     if (!(q->options.relative_tolerance >= 0 && q->options.relative_tolerance < 1)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
     if (!kernel) return ALGSURF_E_ARGUMENT;

@@ -41,7 +41,7 @@ static ALGSURF_NOINLINE algsurf_status find(algsurf_i_line *line, algsurf_real_r
         line->z ? check_integers(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
     if (status == ALGSURF_OK) status = algsurf_i_line_solve(line, found, &n);
     if (status != ALGSURF_OK) return status;
-    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    if (n > capacity) return ALGSURF_E_CAPACITY;
     memcpy(roots, found, (size_t)n * sizeof *roots);
     *count = n;
     return ALGSURF_OK;
@@ -123,7 +123,7 @@ static algsurf_status give(task *t) {
     const algsurf_real_root *exact = t->room;
     algsurf_status status = ALGSURF_OK;
     t->certain = t->count;
-    if (t->to && t->count > t->most) return ALGSURF_E_ARGUMENT;
+    if (t->to && t->count > t->most) return ALGSURF_E_CAPACITY;
     for (int i = 0; i < t->count && t->line.wanted != ALGSURF_I_NUMBER; i++) {
         algsurf_bracket b = t->line.p.r ? set[i] : bracket_of(exact + i);
         if (t->to) t->to[i] = b;
@@ -150,13 +150,13 @@ static algsurf_status isolate(task *t, const algsurf_isolate_options *given) {
     algsurf_i_watch watch = {.observer = NULL};
     place few[ALGSURF_MAX_DEGREE + 1];
     int degree = t->line.p.degree, many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
-    if (given && !algsurf_options_read(&options, sizeof options, given)) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_observer_is_good(watch.observer = options.observer)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = given ? algsurf_options_read(&options, sizeof options, given) : ALGSURF_OK;
+    if (status == ALGSURF_OK) status = algsurf_i_observer_check(watch.observer = options.observer);
+    if (status != ALGSURF_OK) return status;
     if (watch.observer) t->line.watch = &watch;
     t->room = many ? malloc((size_t)degree * sizeof *few) : few;
     t->capacity = degree > 0 ? degree : 1;
     if (!t->room) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status;
     ALGSURF_STANDARD(status = check_and_isolate(t));
     if (many) free(t->room);
     return status;

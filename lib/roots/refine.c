@@ -29,17 +29,18 @@
 
 /* ---- what both entries share ---- */
 
-int algsurf_i_refine_is_good(const algsurf_refine_options *how) {
-    return how->method >= ALGSURF_METHOD_DEFAULT && how->method <= ALGSURF_METHOD_REGULA_FALSI &&
-           how->max_iterations >= 0 && how->absolute_tolerance >= 0 && !isinf(how->absolute_tolerance) &&
-           algsurf_i_observer_is_good(how->observer);
+algsurf_status algsurf_i_refine_check(const algsurf_refine_options *how) {
+    int good = how->method >= ALGSURF_METHOD_DEFAULT && how->method <= ALGSURF_METHOD_REGULA_FALSI &&
+               how->max_iterations >= 0 && how->absolute_tolerance >= 0 && !isinf(how->absolute_tolerance);
+    return good ? algsurf_i_observer_check(how->observer) : ALGSURF_E_ARGUMENT;
 }
 
 static algsurf_status read_options(algsurf_i_search *s, const algsurf_refine_options *options, int *method,
                                    algsurf_observer **observer) {
     algsurf_refine_options known = {.size = sizeof known};
-    if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_refine_is_good(&known)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = options ? algsurf_options_read(&known, sizeof known, options) : ALGSURF_OK;
+    if (status == ALGSURF_OK) status = algsurf_i_refine_check(&known);
+    if (status != ALGSURF_OK) return status;
     s->rounding = 0x1p-51;
     s->tolerance = fmin(0.5 * known.absolute_tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
     s->max_iterations = known.max_iterations ? known.max_iterations : 1000;

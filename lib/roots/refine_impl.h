@@ -16,7 +16,7 @@ algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const d
                                          algsurf_refined_root *result);
 
 /* Are method, limits and observer good ones? */
-int algsurf_i_refine_is_good(const algsurf_refine_options *how);
+algsurf_status algsurf_i_refine_check(const algsurf_refine_options *how);
 
 /* ---- search.c: the bracket that all refinement methods share, and the methods ---- */
 

@@ -8,9 +8,9 @@
 #include "../base/elementary.h"
 #include "../base/options.h"
 
-int algsurf_i_observer_is_good(const algsurf_observer *observer) {
+algsurf_status algsurf_i_observer_check(const algsurf_observer *observer) {
     algsurf_observer known;
-    return !observer || algsurf_options_read(&known, sizeof known, observer);
+    return observer ? algsurf_options_read(&known, sizeof known, observer) : ALGSURF_OK;
 }
 
 double algsurf_i_watched_place(const algsurf_i_watch *watch, double place) {

@@ -14,7 +14,7 @@ typedef struct algsurf_i_watch {
 } algsurf_i_watch;
 
 /* Has the caller's observer, or null, a size? */
-int algsurf_i_observer_is_good(const algsurf_observer *observer);
+algsurf_status algsurf_i_observer_check(const algsurf_observer *observer);
 
 /* The place in [0,1] as the caller knows it. */
 double algsurf_i_watched_place(const algsurf_i_watch *watch, double place);

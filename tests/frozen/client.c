@@ -73,7 +73,7 @@ static void check_rays(const algsurf_surface *s) {
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
     o.absolute_tolerance = 1e-9, o.kernel = NULL, o.undecided_as = ALGSURF_AS_HIT, o.max_memory = 1 << 20;
-    o.observer = NULL, o.planes = &plane, o.plane_count = 1;
+    o.observer = NULL, o.planes = &plane, o.plane_count = 1, o.side = 0;
     {
         algsurf_hit hit, hits[2];
         int state = ALGSURF_STATE_MISS;
@@ -100,21 +100,22 @@ static void check_packets(const algsurf_surface *s) {
     signed char side[2];
     BLANK(algsurf_ray_packet, rays);
     BLANK(algsurf_hit_packet, hits);
-    rays.count = 2, rays.t_min = near_end, rays.t_max = far_end, rays.active = active;
+    rays.count = 2, rays.t_min = near_end, rays.t_max = far_end, rays.active = active, rays.step = 1;
+    rays.float_t_min = rays.float_t_max = NULL;
+    for (int i = 0; i < 3; i++) rays.float_origin[i] = rays.float_direction[i] = NULL;
     rays.origin[0] = ox, rays.origin[1] = oy, rays.origin[2] = oz;
     rays.direction[0] = dx, rays.direction[1] = dy, rays.direction[2] = dz;
     hits.state = state, hits.t = t, hits.t_lo = t_lo, hits.t_hi = t_hi;
-    hits.multiplicity = multiplicity, hits.side = side;
+    hits.multiplicity = multiplicity, hits.side = side, hits.reason = NULL;
     for (int i = 0; i < 3; i++) hits.position[i] = position[i], hits.normal[i] = normal[i];
     {
         const algsurf_ray_packet *given = at_edge(&rays, sizeof rays);
         memset(state, 9, sizeof state);
-        CHECK(
-            algsurf_intersect_packet(
-                s, NULL, given, NULL,
-                &(algsurf_hit_packet){
-                    sizeof hits, state, t, t_lo, t_hi, {NULL, NULL, NULL}, {NULL, NULL, NULL}, NULL, NULL}) ==
-            ALGSURF_OK);
+        CHECK(algsurf_intersect_packet(
+                  s, NULL, given, NULL,
+                  &(algsurf_hit_packet){
+                      .size = sizeof hits, .state = state, .t = t, .t_lo = t_lo, .t_hi = t_hi}) ==
+              ALGSURF_OK);
         CHECK(state[0] == ALGSURF_STATE_HIT && state[1] == ALGSURF_STATE_MISS && near(t[0], 3));
         CHECK(algsurf_occluded_packet(s, NULL, given, NULL, state) == ALGSURF_OK && state[0] == ALGSURF_STATE_HIT);
     }

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 #define ALGSURF_STATUS_LIST(X) \
-    X(ALGSURF_E_ARGUMENT, -1, "an argument is null, out of its range, or a struct whose size is not set") \
+    X(ALGSURF_E_ARGUMENT, -1, "an argument is null, or out of its range") \
     X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite") \
     X(ALGSURF_E_NO_MEMORY, -3, "out of memory") \
     X(ALGSURF_E_DEGREE, -4, "degree above the limit") \
@@ -29,6 +29,8 @@ extern "C" {
     X(ALGSURF_E_THREAD, -8, "a thread could not be started") \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need") \
     X(ALGSURF_E_NAME, -10, "a name in the equation has no value") \
+    X(ALGSURF_E_SIZE, -11, "a struct's size is not set, or it asks for what this version does not know") \
+    X(ALGSURF_E_CAPACITY, -12, "no room for the whole answer") \
     X(ALGSURF_OK, 0, "done") \
     X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart") \
     X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval") \
