@@ -45,8 +45,8 @@ typedef enum algsurf_hit_state {
 
 /* Where a ray meets a surface.  For a miss, t, t_lo and t_hi are +inf, and the vectors are 0. */
 typedef struct algsurf_hit {
-    int state;  /* an algsurf_hit_state */
-    int reason; /* an algsurf_status: ALGSURF_OK; why it is undecided (positive), or refused (negative) */
+    int state;        /* an algsurf_hit_state */
+    int reason;       /* an algsurf_status: ALGSURF_OK; why it is undecided (positive), or refused (negative) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
     int side; /* of a hit: the sign of P on the ray just before it, -1 or 1; 0 with multiplicity 0.  Of a
@@ -126,7 +126,7 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
  *   count           how many were written, undecided ones included
  * Guarantee: that of the first hit, for each; there is no hit outside the entries.  The first entry is the
  * hit of algsurf_intersect_first; its t, t_lo and t_hi may differ if one of the calls needed integers.
- * Errors: as above; E_CAPACITY (nothing is written).  Cost: 0.3 to 3 microseconds
+ * Errors: as above; E_CAPACITY: nothing is written.  Cost: 0.3 to 3 microseconds
  * for the first of them, for degrees 2 to 10, and about as much for each of the others, unless integers
  * decide.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -137,22 +137,23 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 /* Is there any hit?  Cheaper than the first hit, since no root is refined.  If P has different signs at the
  * two ends of the ray's part inside the extent, there is a hit; so the answer may be a hit although
  * algsurf_intersect_first leaves the first hit undecided.
- *   state  an algsurf_hit_state: ALGSURF_STATE_HIT: occluded; ALGSURF_STATE_MISS: free;
- * ALGSURF_STATE_UNDECIDED Errors: as above.  42 KiB of stack.  Since 1.0. */
+ *   state  ALGSURF_STATE_HIT: occluded; ALGSURF_STATE_MISS: free; or ALGSURF_STATE_UNDECIDED
+ * Errors: as above.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             int *state);
 
 /* A point beside a hit at which P has a given sign, so that a ray that starts there does not meet the hit
  * again.  For programs that intersect other things with the same ray; between calls of this library the
- * option `side` does the same without it. ray, hit  as given to algsurf_intersect_first, and as it returned
- * them side      -1 or 1: hit->side is the side that the ray comes from, -hit->side, as a rule, the one it
- * goes to start     the point: from the position along the normal, or, where that is 0, along the ray, 2^-53
- * to 2^-20 times the size of the position or, if that is less, of the surface away Guarantee: the sign of P
- * at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such point so near, as beyond a
- * double root: start is untouched then. Errors: E_ARGUMENT (null, side, a hit whose state is not
- * ALGSURF_STATE_HIT, bad ray), E_NOT_FINITE.  Cost: as a rule that of two to ten calls of
- * algsurf_surface_value.  Since 1.0. */
+ * option `side` does it without.
+ *   ray, hit  as given to algsurf_intersect_first, and as it returned them
+ *   side      hit->side is the side that the ray comes from, -hit->side, as a rule, the one that it goes to
+ *   start     the point: from the position along the normal, or, where that is 0, along the ray; 2^-53 to
+ *             2^-20 times the size of the position, or of the surface if that is more, away
+ * Guarantee: the sign of P at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such
+ * point so near, as beyond a double root: start is untouched then.
+ * Errors: E_ARGUMENT (null, side not -1 or 1, a hit whose state is not ALGSURF_STATE_HIT, bad ray),
+ * E_NOT_FINITE.  Cost: as a rule that of two to ten calls of algsurf_surface_value.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_hit_leave(const algsurf_surface *surface, const algsurf_ray *ray,
                                              const algsurf_hit *hit, int side, double start[3]);
 
@@ -188,15 +189,16 @@ typedef struct algsurf_hit_packet {
  *            the rays are solved one by one; a tolerance makes packets no faster
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
- * Errors: those of the single call for extent and options, and E_ARGUMENT (null, doubles and
- * floats at once): nothing is written.  A bad ray's state is REFUSED, its reason the error of the single
- * call, the rest that of a miss; E_NO_MEMORY: the rays that could not be decided for want of memory are
- * UNDECIDED, [t_lo, t_hi] the whole ray.  In both cases all others are answered, and the first such error is
- * returned. Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or
- * 8 of them side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.
- * One without an end is searched as far as the surface may reach, and no slower than in an extent that holds
- * that. Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's
- * method; all for several rays at once.  50 KiB of stack.  Since 1.0. */
+ * Errors: those of the single call for extent and options, and E_ARGUMENT (null, doubles and floats at once):
+ * nothing is written.  A bad ray is REFUSED, its reason the error of the single call, the rest that of a
+ * miss.  E_NO_MEMORY: rays that could not be decided for want of memory are UNDECIDED, [t_lo, t_hi] the whole
+ * ray.  In both cases all others are answered, and the first such error is returned.
+ * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
+ * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
+ * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
+ * that.  Packets with a step, floats or bad rays are copied piece by piece, some 5 nanoseconds a ray.
+ * Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's method;
+ * all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
                                                     const algsurf_extent *extent,
                                                     const algsurf_ray_packet *rays,

@@ -27,8 +27,7 @@ typedef struct piece {
     unsigned char active[PIECE];
 } piece;
 
-/* Number i of an array of doubles or floats, of which one may be null; where both are, what is meant by that.
- */
+/* A number of an array of doubles or floats, one of which is null; where both are, what is meant by that. */
 static double number_at(const double *doubles, const float *floats, ptrdiff_t at, double otherwise) {
     return doubles ? doubles[at] : floats ? floats[at] : otherwise;
 }
@@ -47,8 +46,7 @@ static algsurf_ray ray_of(const algsurf_ray_packet *rays, size_t i) {
 
 static int is_active(const algsurf_ray_packet *rays, size_t i) { return !rays->active || rays->active[i]; }
 
-/* Can the packet code read the arrays as they are, and are all rays certainly good ones?  Without branches.
- */
+/* Can the packet code read the arrays, and are all rays certainly good ones?  Without branches. */
 static int all_good(const algsurf_ray_packet *rays) {
     int good = (rays->step == 0 || rays->step == 1) && rays->origin[0];
     if (!good) return 0;
