@@ -35,7 +35,7 @@ typedef struct path {
 
 static algsurf_surface *sextic;
 static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {RADIUS, 0, 0}};
-static unsigned long long rays, self_hits;
+static unsigned long rays, self_hits;
 
 static void check(algsurf_status status) {
     if (status == ALGSURF_OK) return;
@@ -196,7 +196,7 @@ int main(int argc, char **argv) {
     const char *wrong = file ? image_write(file, IMAGE_PNG, width, height, pixels) : "cannot be written";
     if (file && (ferror(file) | fclose(file)) && !wrong) wrong = "cannot be written";
     if (wrong) fprintf(stderr, "path_tracer: %s: %s\n", name, wrong);
-    printf("%llu rays, %llu met where they started\n", rays, self_hits);
+    printf("%lu rays, %lu met where they started\n", rays, self_hits);
     algsurf_surface_free(sextic);
     free(pixels);
     return wrong ? 1 : 0;
