@@ -225,9 +225,10 @@ static void packets(const algsurf_surface *s, const algsurf_extent *e, const alg
         hits.position[k] = x[k], hits.normal[k] = x[3 + k];
     }
     for (int i = 0; i < 9; i++) t_min[i] = r->t_min, t_max[i] = r->t_max;
-    for (int k = 0; algsurf_kernel_name(k); k++) {
+    for (int k = 0; algsurf_kernel_name(k / 2); k++) {
         algsurf_intersect_options o = *how;
-        o.kernel = algsurf_kernel_name(k);
+        o.kernel = algsurf_kernel_name(k / 2);
+        t_max[8] = k % 2 ? NAN : r->t_max; /* a bad ray: by pieces */
         if (occluded)
             (void)algsurf_occluded_packet(s, e, &packet, &o, state);
         else

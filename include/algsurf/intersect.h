@@ -196,7 +196,7 @@ typedef struct algsurf_hit_packet {
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
  * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
  * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
- * that.  Packets with a step, floats or bad rays are copied piece by piece, some 5 nanoseconds a ray.
+ * that.  Packets with a step, floats or bad rays are copied piece by piece.
  * Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's method;
  * all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
