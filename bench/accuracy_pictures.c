@@ -53,7 +53,7 @@ static double draw(const picture_record *r, const picture_size *size, int tier, 
         .size = sizeof options, .width = size->width, .height = size->height, .threads = 1};
     const algsurf_picture picture = {
         .size = sizeof picture, .pixels = to->pixels, .t = to->t, .state = all ? to->state : NULL};
-    must(algsurf_scene_set_intersect(scene, &how), r->entry->name);
+    must(algsurf_scene_set_intersect_options(scene, &how), r->entry->name);
     double begun = measure_cpu();
     must(algsurf_render(scene, &options, &picture, NULL), r->entry->name);
     return measure_cpu() - begun;

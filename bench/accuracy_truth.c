@@ -149,7 +149,7 @@ static void add_ray(view *v, int x, int y, int taken) {
     algsurf_ray ray, chord;
     int meets;
     must(algsurf_camera_ray(&v->camera, v->width, v->height, x + 0.5, y + 0.5, &ray), v->entry->name);
-    must(algsurf_extent_clip(&v->entry->extent, &ray, &chord, &meets), v->entry->name);
+    must(algsurf_ray_clip(&ray, &v->entry->extent, NULL, 0, &chord, &meets), v->entry->name);
     if (!meets) return;
     v->all_rays++;
     if (!taken) return;

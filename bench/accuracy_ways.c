@@ -152,7 +152,7 @@ static double draw(ways *w, const setting *s) {
         .size = sizeof options, .width = v->width, .height = v->height, .threads = 1};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = w->pixels, .t = w->picture_hits};
     algsurf_render_stats stats = {.size = sizeof stats};
-    must(algsurf_scene_set_intersect(w->scene, &intersect), w->view->entry->name);
+    must(algsurf_scene_set_intersect_options(w->scene, &intersect), w->view->entry->name);
     double begun = measure_cpu();
     must(algsurf_render(w->scene, &options, &picture, &stats), w->view->entry->name);
     double seconds = measure_cpu() - begun;

@@ -236,7 +236,7 @@ static algsurf_ray random_ray(const dense *l, measure_random *random) {
 static double entry_of(const example *e, const algsurf_ray *ray) {
     algsurf_ray chord;
     int meets;
-    must(algsurf_extent_clip(&e->extent, ray, &chord, &meets), "a ray is refused");
+    must(algsurf_ray_clip(ray, &e->extent, NULL, 0, &chord, &meets), "a ray is refused");
     if (!meets) cli_fail(CLI_BROKEN, "%s: a ray beside the extent", kind_names[e->kind]);
     return chord.t_min;
 }

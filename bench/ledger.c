@@ -59,7 +59,7 @@ static double time_picture(const char *name, int kind) {
     must_answer(algsurf_scene_create(surface, &scene), name);
     must_answer(algsurf_scene_set_extent(scene, &entry->extent), name);
     must_answer(algsurf_scene_set_camera(scene, &camera), name);
-    must_answer(algsurf_scene_set_intersect(scene, &how), name);
+    must_answer(algsurf_scene_set_intersect_options(scene, &how), name);
     if (kind == FULL) must_answer(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), name);
     if (kind == COMPLEX) must_answer(algsurf_scene_set_complex_space(scene, &space), name);
     if (kind == ANTIALIAS) {

@@ -131,7 +131,7 @@ size_t stage_rays(const stage *s) {
     for (size_t i = 0; i < pixel_count(s); i++) {
         algsurf_ray ray = ray_of(s, i);
         int meets;
-        must(algsurf_extent_clip(&s->entry->extent, &ray, &ray, &meets), s->entry->name);
+        must(algsurf_ray_clip(&ray, &s->entry->extent, NULL, 0, &ray, &meets), s->entry->name);
         rays += meets != 0;
     }
     return rays;
@@ -161,7 +161,7 @@ static void render(stage *s, const manner *m, const canvas *to, drawing *d) {
         .size = sizeof options, .width = s->width, .height = s->height, .threads = m->threads};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = to->pixels, .t = to->hits};
     algsurf_render_stats stats = {.size = sizeof stats};
-    must(algsurf_scene_set_intersect(scene, &intersect), s->entry->name);
+    must(algsurf_scene_set_intersect_options(scene, &intersect), s->entry->name);
     must(algsurf_scene_set_quality(scene, m->quality), s->entry->name);
     must(algsurf_scene_set_antialias(scene, m->antialias > 0 ? m->antialias : 1), s->entry->name);
     must(algsurf_scene_set_antialias_threshold(scene, m->threshold), s->entry->name);

@@ -29,7 +29,7 @@ static int expand(const algsurf_surface *surface, const algsurf_extent *extent, 
     algsurf_ray ray;
     int meets;
     must(algsurf_camera_ray(camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), "ray");
-    must(algsurf_extent_clip(extent, &ray, &ray, &meets), "extent");
+    must(algsurf_ray_clip(&ray, extent, NULL, 0, &ray, &meets), "extent");
     if (!meets || !(ray.t_min < ray.t_max)) return 0;
     for (int i = 0; i < 3; i++) {
         ray.origin[i] += 0.5 * (ray.t_min + ray.t_max) * ray.direction[i];

@@ -58,7 +58,7 @@ static void set_scene(manner *m, const algsurf_surface *surface, const catalogue
     must(algsurf_scene_create(surface, &m->scene), entry->name);
     must(algsurf_scene_set_extent(m->scene, &entry->extent), entry->name);
     must(algsurf_scene_set_camera(m->scene, &camera), entry->name);
-    must(algsurf_scene_set_intersect(m->scene, &intersect), entry->name);
+    must(algsurf_scene_set_intersect_options(m->scene, &intersect), entry->name);
     must(algsurf_scene_set_complex_space(m->scene, &space), entry->name);
     must(algsurf_scene_set_coherence(m->scene, m->coherence), entry->name);
     m->pixels = must_allocate(BYTES, 1);

@@ -121,7 +121,7 @@ static void draw(const seed_decic *decic, const double *found, int marked, const
     must(algsurf_scene_create(view->surface, &scene), view->entry->name);
     must(algsurf_scene_set_extent(scene, &view->entry->extent), view->entry->name);
     must(algsurf_scene_set_camera(scene, &view->camera), view->entry->name);
-    must(algsurf_scene_lighting(scene, lights, &lighting), view->entry->name);
+    must(algsurf_scene_get_lighting(scene, lights, &lighting), view->entry->name);
     for (size_t i = 0; i < pixels; i++) memcpy(picture + 3 * i, BEHIND, 3);
     for (size_t i = 0; i < view->count; i++) {
         const seed_ray *ray = &view->rays[i];

@@ -18,7 +18,7 @@ static void render(seed_easel *easel, const algsurf_intersect_options *intersect
     const algsurf_render_options options = {
         .size = sizeof options, .width = view->width, .height = view->height};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = easel->pixels, .t = hits};
-    must(algsurf_scene_set_intersect(easel->scene, intersect), view->entry->name);
+    must(algsurf_scene_set_intersect_options(easel->scene, intersect), view->entry->name);
     must(algsurf_render(easel->scene, &options, &picture, NULL), view->entry->name);
 }
 

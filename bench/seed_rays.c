@@ -22,7 +22,7 @@ int seed_chord(const seed_view *view, int pixel, algsurf_ray *chord) {
     must(algsurf_camera_ray(&view->camera, view->width, view->height, pixel % view->width + 0.5,
                             pixel / view->width + 0.5, &ray),
          view->entry->name);
-    must(algsurf_extent_clip(&view->entry->extent, &ray, chord, &meets), view->entry->name);
+    must(algsurf_ray_clip(&ray, &view->entry->extent, NULL, 0, chord, &meets), view->entry->name);
     return meets && chord->t_min < chord->t_max;
 }
 

@@ -36,7 +36,7 @@ static int expand_pixel(const view *v, int x, int y, chord *on, polynomial *p) {
     double c[ALGSURF_MAX_DEGREE + 1];
     int meets;
     must(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), "ray");
-    must(algsurf_extent_clip(v->extent, &ray, &ray, &meets), "extent");
+    must(algsurf_ray_clip(&ray, v->extent, NULL, 0, &ray, &meets), "extent");
     if (!meets || !(ray.t_min < ray.t_max)) return 0;
     on->middle = 0.5 * (ray.t_min + ray.t_max);
     on->half = 0.5 * (ray.t_max - ray.t_min);

@@ -6,7 +6,7 @@
 algsurf_status chord_make(const algsurf_surface *surface, const algsurf_extent *extent,
                           const algsurf_ray *ray, chord *result, int *meets) {
     algsurf_ray inside, centred = {.t_min = -1, .t_max = 1};
-    algsurf_status status = algsurf_extent_clip(extent, ray, &inside, meets);
+    algsurf_status status = algsurf_ray_clip(ray, extent, NULL, 0, &inside, meets);
     if (status != ALGSURF_OK || !*meets) return status;
     chord c = {.t_in = inside.t_min, .t_out = inside.t_max, .degree = algsurf_surface_degree(surface)};
     c.half = 0.5 * (c.t_out - c.t_in);

@@ -15,7 +15,7 @@ typedef struct chord {
 } chord;
 
 /* Returns OK with *meets telling whether there is a chord (of some length), or why there is no polynomial:
- * a status of algsurf_extent_clip or algsurf_expand_power.  The extent must be bounded. */
+ * a status of algsurf_ray_clip or algsurf_expand_power.  The extent must be bounded. */
 algsurf_status chord_make(const algsurf_surface *surface, const algsurf_extent *extent,
                           const algsurf_ray *ray, chord *result, int *meets);
 

@@ -53,7 +53,7 @@ static algsurf_ray ray_through(const algsurf_camera *camera, int x, int y) {
 static algsurf_ray chord_of(const algsurf_ray *ray) {
     algsurf_ray chord;
     int meets;
-    check(algsurf_extent_clip(&BALL, ray, &chord, &meets));
+    check(algsurf_ray_clip(ray, &BALL, NULL, 0, &chord, &meets));
     return chord;
 }
 
@@ -170,7 +170,7 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
     check(algsurf_scene_create(surface, &scene));
     check(algsurf_scene_set_extent(scene, &BALL));
     check(algsurf_scene_set_camera(scene, camera));
-    check(algsurf_scene_lighting(scene, lights, &lighting));
+    check(algsurf_scene_get_lighting(scene, lights, &lighting));
     check(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, colour));
     check(algsurf_srgb_encode(colour, bytes));
     check(algsurf_render(scene, &row, &planes, NULL));

@@ -68,7 +68,7 @@ static int next_point(const path *p, double point[3], double normal[3]) {
     self_hits += p->place != OUTSIDE && hit.state == ALGSURF_STATE_HIT && hit.t < 1e-9;
     capped = p->place == OUTSIDE ? hit.side > 0 : p->place == IN_GLASS && hit.state == ALGSURF_STATE_MISS;
     if (capped) { /* where the ray enters or leaves the ball */
-        check(algsurf_extent_clip(&ball, &p->ray, &chord, &meets));
+        check(algsurf_ray_clip(&p->ray, &ball, NULL, 0, &chord, &meets));
         double t = p->place == OUTSIDE ? chord.t_min : chord.t_max;
         for (int i = 0; meets && i < 3; i++) {
             point[i] = p->ray.origin[i] + t * p->ray.direction[i];

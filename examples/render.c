@@ -70,7 +70,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
     demand(algsurf_scene_set_thin(scene, shows_thin(options) ? thin_colour : NULL));
-    demand(algsurf_scene_set_intersect(scene, &options->intersect));
+    demand(algsurf_scene_set_intersect_options(scene, &options->intersect));
     demand(algsurf_scene_set_clip(scene, options->clip.plane, options->clip.count));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;

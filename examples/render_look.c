@@ -128,7 +128,7 @@ algsurf_status render_light_scene(const render_look *look, const algsurf_camera 
     if (look->paper) {
         algsurf_light lights[ALGSURF_MAX_LIGHTS];
         algsurf_lighting usual = {.size = sizeof usual};
-        status = algsurf_scene_lighting(scene, lights, &usual);
+        status = algsurf_scene_get_lighting(scene, lights, &usual);
         if (status != ALGSURF_OK) return status;
         set_paper_lights(camera, &usual, lights);
         return algsurf_scene_set_lights(scene, lights, 2);

@@ -18,7 +18,7 @@ static int is_changed(const algsurf_surface *with_error, const view *shown) {
                   algsurf_scene_create(with_error, &scene) == ALGSURF_OK &&
                   algsurf_scene_set_extent(scene, &shown->extent) == ALGSURF_OK &&
                   algsurf_scene_set_camera(scene, &camera) == ALGSURF_OK &&
-                  algsurf_scene_set_intersect(scene, &how) == ALGSURF_OK &&
+                  algsurf_scene_set_intersect_options(scene, &how) == ALGSURF_OK &&
                   algsurf_render(scene, &size, &picture, &counted) == ALGSURF_OK &&
                   20 * counted.undecided > counted.hits + counted.undecided;
     algsurf_scene_free(scene);

@@ -27,8 +27,8 @@ void view_set_size(const cli_option *option, const char *value, void *field) {
             cli_whole(value + cut + 1, 1, LARGEST, &options->height))
             return;
     }
-    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, as 800x600, each from 1 to %d, got '%s'", option->name, LARGEST,
-             cli_quote(value).text);
+    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, as 800x600, each from 1 to %d, got '%s'", option->name,
+             LARGEST, cli_quote(value).text);
 }
 
 void view_set_fov(const cli_option *option, const char *value, void *field) {
@@ -231,7 +231,7 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
 algsurf_material view_material(const algsurf_scene *scene, const catalogue_entry *entry) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    if (algsurf_scene_lighting(scene, lights, &lighting) != ALGSURF_OK)
+    if (algsurf_scene_get_lighting(scene, lights, &lighting) != ALGSURF_OK)
         cli_fail(CLI_BROKEN, "a scene without lighting");
     algsurf_material material = *lighting.material;
     if (entry) {

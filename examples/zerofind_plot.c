@@ -56,7 +56,7 @@ static int by_value(const void *a, const void *b) {
 
 static double value_at(const chord *on, double s) {
     double value = 0, bound;
-    (void)algsurf_poly_eval_compensated(on->c, NULL, on->degree, s, &value, &bound);
+    (void)algsurf_poly_value_compensated(on->c, NULL, on->degree, s, &value, &bound);
     return value;
 }
 

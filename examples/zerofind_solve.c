@@ -45,8 +45,8 @@ static void follow_points(zerofind *z) {
         p->t_lo = lo;
         p->t_hi = hi;
         if (hit->multiplicity > 1)
-            (void)algsurf_poly_eval_compensated(z->chord.c, NULL, z->chord.degree, chord_s(&z->chord, p->t),
-                                                &p->value, &bound);
+            (void)algsurf_poly_value_compensated(z->chord.c, NULL, z->chord.degree, chord_s(&z->chord, p->t),
+                                                 &p->value, &bound);
     }
 }
 

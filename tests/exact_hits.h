@@ -325,7 +325,7 @@ static inline int exact_is_long(const algsurf_extent *extent, const algsurf_plan
         closer[k] = planes[k], closer[k].offset -= ldexp(size, -36);
         if (!isfinite(closer[k].offset) || size == 0) return 0;
     }
-    return algsurf_region_clip(&inner, closer, plane_count, ray, &part, &meets) == ALGSURF_OK && meets &&
+    return algsurf_ray_clip(ray, &inner, closer, plane_count, &part, &meets) == ALGSURF_OK && meets &&
            part.t_max - part.t_min >= fmax(ldexp(reach, -36), 0x1p-900);
 }
 
@@ -338,7 +338,7 @@ static inline void exact_set_end_sign(exact_hits *h, mpz_t *p, int n, const exac
     int meets = 0;
     h->end_sign = EXACT_NOT_KNOWN, h->is_short = 1;
     if (h->count > 0) h->end_sign = exact_sign_after(p, n, h->place + h->count - 1);
-    if (algsurf_region_clip(extent, planes, plane_count, ray, &chord, &meets) != ALGSURF_OK || !meets) return;
+    if (algsurf_ray_clip(ray, extent, planes, plane_count, &chord, &meets) != ALGSURF_OK || !meets) return;
     double lo = fmax(chord.t_min, -DBL_MAX), hi = fmin(chord.t_max, DBL_MAX);
     const double tried[] = {0.5 * lo + 0.5 * hi, fmax(lo, fmin(hi, 0)), lo, hi};
     for (size_t i = 0; h->end_sign == EXACT_NOT_KNOWN && i < sizeof tried / sizeof *tried; i++) {

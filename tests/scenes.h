@@ -44,7 +44,7 @@ static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algs
     assert_ok(algsurf_scene_create(surface, &scene));
     if (extent) assert_ok(algsurf_scene_set_extent(scene, extent));
     if (camera) assert_ok(algsurf_scene_set_camera(scene, camera));
-    if (how) assert_ok(algsurf_scene_set_intersect(scene, how));
+    if (how) assert_ok(algsurf_scene_set_intersect_options(scene, how));
     return scene;
 }
 

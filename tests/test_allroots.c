@@ -70,12 +70,12 @@ TEST(test_refusals) {
     assert_int_equal(algsurf_complex_roots(good, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots(good, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots(large, NULL, ALGSURF_MAX_POLY_DEGREE + 1, boxes, &count),
-                     ALGSURF_E_ARGUMENT);
+                     ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_complex_roots_of_real(NULL, NULL, 2, boxes, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(real, NULL, ALGSURF_MAX_POLY_DEGREE + 1, boxes, &count),
-                     ALGSURF_E_ARGUMENT);
+                     ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_complex_solver_run(NULL, good, NULL, 2, NULL, boxes, &count, NULL),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_solver_run(solver, good, NULL, 2, NULL, NULL, &count, NULL),

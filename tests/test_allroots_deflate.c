@@ -299,8 +299,9 @@ TEST(test_bad_numbers) {
     static const int degrees[] = {0, -1, ALGSURF_MAX_POLY_DEGREE + 1, 0x7fffffff};
     for (int i = 0; i < 4; i++) {
         call c = good;
+        const int why = degrees[i] > 0 ? ALGSURF_E_DEGREE : argument;
         c.degree = degrees[i];
-        refused(&c, argument, argument, argument);
+        refused(&c, why, why, why);
     }
     for (int i = 0; i < 2; i++) {
         double bad = i ? NAN : -INFINITY;

@@ -524,7 +524,7 @@ static void check_clear(const test_view *v, uint64_t *seed, int i, int y) {
     int meets;
     assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray));
     /* all that lies within the rounding of a chord counts as inside: so a miss is one */
-    assert_ok(algsurf_region_clip(&v->extent, NULL, 0, &ray, &part, &meets));
+    assert_ok(algsurf_ray_clip(&ray, &v->extent, NULL, 0, &part, &meets));
     if (meets)
         print_message("seed %llu, view %ld: pixel %d %d is not clear\n", (unsigned long long)first_seed,
                       v->number, i, y);

@@ -261,7 +261,7 @@ TEST(test_bad_arguments) {
     }
     assert_int_equal(algsurf_cinterval_poly(NULL, 0, one, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_cinterval_poly(&one, -1, one, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_cinterval_poly(&one, ALGSURF_MAX_POLY_DEGREE + 1, one, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_cinterval_poly(&one, ALGSURF_MAX_POLY_DEGREE + 1, one, &r), ALGSURF_E_DEGREE);
     assert_true(r.re.lo == 7 && r.re.hi == 8 && r.im.lo == 9 && r.im.hi == 10);
     assert_int_equal(algsurf_cinterval_div(one, one, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_cinterval_intersect(one, one, NULL), ALGSURF_E_ARGUMENT);

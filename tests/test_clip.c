@@ -228,7 +228,7 @@ TEST(shadows_as_by_rays) {
         draw(scene, &whole);
         assert_ok(algsurf_scene_set_clip(scene, planes, 3));
         draw(scene, &fans);
-        assert_ok(algsurf_scene_set_intersect(scene, &by_rays));
+        assert_ok(algsurf_scene_set_intersect_options(scene, &by_rays));
         draw(scene, &rays);
         assert_memory_equal(fans.states, rays.states, sizeof fans.states);
         int differ = 0, brighter = 0; /* t is rounded otherwise: a few bytes may differ by one */
@@ -327,8 +327,8 @@ TEST(bad_planes_are_refused) {
     assert_ok(algsurf_scene_set_clip(scene, good, 1));
     draw(scene, &before);
     o.planes = good;
-    assert_int_equal(algsurf_scene_set_intersect(scene, &o), ALGSURF_E_ARGUMENT);
-    assert_ok(algsurf_scene_set_intersect(scene, NULL));
+    assert_int_equal(algsurf_scene_set_intersect_options(scene, &o), ALGSURF_E_ARGUMENT);
+    assert_ok(algsurf_scene_set_intersect_options(scene, NULL));
     draw(scene, &after);
     assert_memory_equal(before.bytes, after.bytes, sizeof before.bytes);
     assert_ok(algsurf_scene_set_clip(scene, NULL, 0));

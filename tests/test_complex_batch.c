@@ -8,7 +8,7 @@
  *   sums over the other roots in another order in one layout                       boxes_hold_their_roots
  *   the guard of the discriminant left out                                         quadratics
  */
-#include "algsurf/allroots.h"
+#include "algsurf/batch.h"
 #include "complex/boxes.h"
 #include "exact_complex.h"
 #include "unit.h"
@@ -238,6 +238,23 @@ TEST(rows_of_numbers) {
     }
 }
 
+/* A bad number, or zero alone, is refused alone; of degree 0 there are no roots. */
+TEST(bad_polynomials) {
+    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    for (int round = 0; round < 400; round++) {
+        problem p[MANY];
+        int n = round % 13, real = below(2);
+        for (int i = 0; i < MANY; i++) {
+            p[i] = random_problem(n, PLAIN, real);
+            int how = below(8), k = below(n + 1);
+            if (how < 3) p[i].re[k] = bad[how];
+            if (how == 3 && !real) p[i].im[k] = bad[below(3)];
+            for (int m = 0; how == 4 && m <= n; m++) p[i].re[m] = p[i].im[m] = 0;
+        }
+        compare(p, real, 0);
+    }
+}
+
 /* Real ones among complex ones, radii, and misuse. */
 TEST(the_interface) {
     problem p[MANY];
@@ -272,10 +289,10 @@ TEST(the_interface) {
     assert_int_equal(algsurf_complex_roots_batch(&bad, &coarse, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
-    bad.degree = 0;
+    bad.degree = -1;
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     bad.degree = ALGSURF_MAX_POLY_DEGREE + 1;
-    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_DEGREE);
     bad.degree = 5, bad.re.at = NULL;
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(found[0], 77);

@@ -137,7 +137,7 @@ TEST(the_same_bytes_by_all_ways) {
         for (int row = 0; row < H; row++) assert_same_row(all, threads, row);
         free(threads);
         for (int k = 0; (how.kernel = algsurf_kernel_name(k)); k++) {
-            assert_ok(algsurf_scene_set_intersect(scene, &how));
+            assert_ok(algsurf_scene_set_intersect_options(scene, &how));
             picture *other = drawn(scene, 1);
             assert_same_picture(all, other);
             free(other);

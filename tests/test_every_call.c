@@ -10,7 +10,7 @@
  *
  * Breaks tried, each caught:
  *   a comparison before the environment is entered: algsurf_scene_set_antialias_threshold,
- *   algsurf_scene_set_intersect, algsurf_surface_with_error, algsurf_count_roots;
+ *   algsurf_scene_set_intersect_options, algsurf_surface_with_error, algsurf_count_roots;
  *   isfinite() of a caller's double there: algsurf_surface_from_terms, algsurf_surface_from_equation;
  *   a result looked at after it is left: algsurf_surface_value, algsurf_surface_gradient;
  *   the environment not entered: algsurf_refine_function, algsurf_interval_add (traps; other bits)
@@ -311,17 +311,7 @@ ON_SURFACE(algsurf_surface_gradient) {
 
 /* ---- ray.h, expand.h, camera.h ---- */
 
-CALL(algsurf_extent_clip) {
-    for (int kind = ALGSURF_EXTENT_ALL; kind <= ALGSURF_EXTENT_BOX; kind++) {
-        algsurf_extent extent = extent_made((int)kind);
-        algsurf_ray ray = ray_made(), chord = ray;
-        int meets = 0;
-        STATUS_IN_HOST(algsurf_extent_clip(&extent, &ray, &chord, &meets));
-        WRITTEN(chord), WRITTEN(meets);
-    }
-}
-
-CALL(algsurf_region_clip) {
+CALL(algsurf_ray_clip) {
     for (int kind = ALGSURF_EXTENT_ALL; kind <= ALGSURF_EXTENT_BOX; kind++) {
         algsurf_extent extent = extent_made((int)kind);
         algsurf_ray ray = ray_made(), chord = ray;
@@ -331,7 +321,7 @@ CALL(algsurf_region_clip) {
             for (int i = 0; i < 3; i++) planes[k].normal[i] = number(planes[k].normal[i]);
             planes[k].offset = number(planes[k].offset);
         }
-        STATUS_IN_HOST(algsurf_region_clip(&extent, planes, 2, &ray, &chord, &meets));
+        STATUS_IN_HOST(algsurf_ray_clip(&ray, &extent, planes, 2, &chord, &meets));
         WRITTEN(chord), WRITTEN(meets);
     }
 }
@@ -504,17 +494,17 @@ ON_SURFACE(algsurf_intersect_complex) {
 
 /* ---- poly.h, isolate.h, packet.h, refine.h ---- */
 
-CALL(algsurf_poly_eval) {
+CALL(algsurf_poly_value) {
     poly p = poly_made(0);
     double t = number(0.75), value[2] = {0, 0};
-    STATUS_IN_HOST(algsurf_poly_eval(p.c, p.r, DEGREE, t, value, value + 1));
+    STATUS_IN_HOST(algsurf_poly_value(p.c, p.r, DEGREE, t, value, value + 1));
     WRITTEN(value);
 }
 
-CALL(algsurf_poly_eval_compensated) {
+CALL(algsurf_poly_value_compensated) {
     poly p = poly_made(0);
     double t = number(0.75), value[2] = {0, 0};
-    STATUS_IN_HOST(algsurf_poly_eval_compensated(p.c, p.r, DEGREE, t, value, value + 1));
+    STATUS_IN_HOST(algsurf_poly_value_compensated(p.c, p.r, DEGREE, t, value, value + 1));
     WRITTEN(value);
 }
 
@@ -533,6 +523,17 @@ CALL(algsurf_real_roots) {
         int count = 0;
         STATUS_IN_HOST(algsurf_real_roots(p.c, DEGREE, lo, hi, roots, DEGREE, &count));
         WRITTEN(count), written(roots, (size_t)count * sizeof *roots);
+    }
+}
+
+CALL(algsurf_real_root_first) {
+    for (int which = 0; which < 2; which++) {
+        poly p = poly_made(which);
+        double lo = number(-1e3), hi = number(1e3), root = 0;
+        int found = 0;
+        STATUS_IN_HOST(algsurf_real_root_first(p.c, DEGREE, lo, hi, &root, &found));
+        WRITTEN(root);
+        WRITTEN(found);
     }
 }
 
@@ -1020,7 +1021,7 @@ CALL(algsurf_scene_free) {
     algsurf_surface_free(of.surface);
 }
 
-CALL(algsurf_scene_lighting) {
+CALL(algsurf_scene_get_lighting) {
     stage of = stage_made();
     algsurf_extent extent = extent_made(ALGSURF_EXTENT_BOX);
     algsurf_camera camera = camera_made();
@@ -1028,7 +1029,7 @@ CALL(algsurf_scene_lighting) {
     algsurf_lighting lighting = {.size = sizeof lighting};
     (void)algsurf_scene_set_extent(of.scene, &extent);
     (void)algsurf_scene_set_camera(of.scene, &camera);
-    STATUS_IN_HOST(algsurf_scene_lighting(of.scene, lights, &lighting));
+    STATUS_IN_HOST(algsurf_scene_get_lighting(of.scene, lights, &lighting));
     WRITTEN(lights[0]), WRITTEN(lighting.up), WRITTEN(lighting.centre), WRITTEN(lighting.radius);
     stage_freed(of);
 }
@@ -1084,9 +1085,9 @@ CALL(algsurf_scene_set_extent) {
     SETS(algsurf_scene_set_extent(of.scene, &extent))
 }
 
-CALL(algsurf_scene_set_intersect) {
+CALL(algsurf_scene_set_intersect_options) {
     algsurf_intersect_options options = options_made();
-    SETS(algsurf_scene_set_intersect(of.scene, &options))
+    SETS(algsurf_scene_set_intersect_options(of.scene, &options))
 }
 
 CALL(algsurf_scene_set_lights) {

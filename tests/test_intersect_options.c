@@ -95,7 +95,7 @@ TEST(test_tolerance_and_rounding) {
             algsurf_hit known;
             int meets;
             assert_ok(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray));
-            assert_ok(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets));
+            assert_ok(algsurf_ray_clip(&c.ray, &entry->extent, NULL, 0, &c.ray, &meets));
             assert_ok(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known));
             if (!meets || known.state != ALGSURF_STATE_HIT) continue;
             exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);

@@ -57,7 +57,7 @@ TEST(test_bad_arguments) {
     }
     assert_int_equal(algsurf_interval_poly(NULL, 0, one, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_interval_poly(&one, -1, one, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_interval_poly(&one, ALGSURF_MAX_POLY_DEGREE + 1, one, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_interval_poly(&one, ALGSURF_MAX_POLY_DEGREE + 1, one, &r), ALGSURF_E_DEGREE);
     assert_true(r.lo == 7 && r.hi == 8);
     assert_int_equal(algsurf_interval_poly(&one, 0, one, NULL), ALGSURF_E_ARGUMENT);
 }

@@ -278,7 +278,7 @@ TEST(test_bad_input) {
     const double negative[] = {0, -1, 0};
     expect(ALGSURF_E_ARGUMENT, NULL, NULL, 2, 0, 1);
     expect(ALGSURF_E_ARGUMENT, c, NULL, -1, 0, 1);
-    expect(ALGSURF_E_ARGUMENT, c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1);
+    expect(ALGSURF_E_DEGREE, c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1);
     expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 1, 0);
     expect(ALGSURF_E_ARGUMENT, c, NULL, 2, NAN, 1);
     expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 0, NAN);

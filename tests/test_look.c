@@ -33,7 +33,7 @@ static algsurf_scene *shown(const catalogue_entry *entry, algsurf_quality qualit
     assert_ok(algsurf_scene_set_quality(scene, quality));
     assert_ok(algsurf_scene_set_background(scene, NULL));
     assert_ok(algsurf_scene_set_antialias(scene, 3));
-    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &lighting));
     algsurf_material material = *lighting.material;
     for (int i = 0; i < 3; i++) {
         material.outside[i] = entry->outside[i];

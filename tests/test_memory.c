@@ -366,7 +366,7 @@ TEST(test_certified_picture) {
     /* rays that are not decided for want of memory do not keep the others from being drawn */
     const algsurf_intersect_options poor = {.size = sizeof poor, .max_memory = 1};
     static small_picture p;
-    assert_ok(algsurf_scene_set_intersect(stage, &poor));
+    assert_ok(algsurf_scene_set_intersect_options(stage, &poor));
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
     assert_true(p.stats.rays == small_reference.stats.rays && p.stats.undecided > 0 &&
                 p.pixels[0][0] != 0xa5);

@@ -380,13 +380,13 @@ TEST(packets_and_pictures_refuse) {
     assert_ok(algsurf_scene_create(surface, &picture));
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_intersect_options(picture, &how), ALGSURF_E_ARGUMENT);
     assert_true(hit == 77 && observer.cells == 0);
     observer.size = 0;
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_SIZE);
     how.observer = NULL;
     assert_ok(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits));
-    assert_ok(algsurf_scene_set_intersect(picture, &how));
+    assert_ok(algsurf_scene_set_intersect_options(picture, &how));
     algsurf_scene_free(picture);
     algsurf_surface_free(surface);
 }

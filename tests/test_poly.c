@@ -91,17 +91,17 @@ static void evaluate_families(evaluator eval) {
         }
 }
 
-TEST(test_eval_encloses) { evaluate_families(algsurf_poly_eval); }
+TEST(test_eval_encloses) { evaluate_families(algsurf_poly_value); }
 
-TEST(test_compensated_encloses) { evaluate_families(algsurf_poly_eval_compensated); }
+TEST(test_compensated_encloses) { evaluate_families(algsurf_poly_value_compensated); }
 
 TEST(test_largest_degree) {
     uint64_t seed = SEED;
     double c[TOP + 1], r[TOP + 1];
     for (int i = 0; i < 4; i++) {
         fill(&seed, c, r, TOP, -3, 3);
-        check_eval(algsurf_poly_eval, &seed, c, r, TOP, exact_random_unit(&seed), i);
-        check_eval(algsurf_poly_eval_compensated, &seed, c, r, TOP, exact_random_unit(&seed), i);
+        check_eval(algsurf_poly_value, &seed, c, r, TOP, exact_random_unit(&seed), i);
+        check_eval(algsurf_poly_value_compensated, &seed, c, r, TOP, exact_random_unit(&seed), i);
     }
 }
 
@@ -120,12 +120,12 @@ TEST(test_bounds_are_tight) {
         int n = 1 + exact_random_int(&seed, 32);
         fill(&seed, c, r, n, -4, 4);
         double t = exact_random_unit(&seed), size = magnitude(c, n, t);
-        assert_ok(algsurf_poly_eval(c, NULL, n, t, &value, &bound));
+        assert_ok(algsurf_poly_value(c, NULL, n, t, &value, &bound));
         assert_true(bound <= 2 * n * 0x1p-52 * size + 0x1p-1000);
-        assert_ok(algsurf_poly_eval_compensated(c, NULL, n, t, &value, &bound));
+        assert_ok(algsurf_poly_value_compensated(c, NULL, n, t, &value, &bound));
         assert_true(bound <= 0x1p-52 * fabs(value) + 4.0 * n * n * 0x1p-105 * size + 0x1p-1000);
         double radii = magnitude(r, n, t);
-        assert_ok(algsurf_poly_eval_compensated(c, r, n, t, &value, &bound));
+        assert_ok(algsurf_poly_value_compensated(c, r, n, t, &value, &bound));
         assert_true(bound <=
                     1.001 * radii + 0x1p-52 * fabs(value) + 4.0 * n * n * 0x1p-105 * size + 0x1p-1000);
     }
@@ -139,10 +139,10 @@ TEST(test_compensation_pays) {
     for (size_t k = 0; k < sizeof scales / sizeof scales[0]; k++) {
         double c[9], value, bound;
         for (int i = 0; i <= 8; i++) c[i] = ldexp(p[i], scales[k]);
-        assert_ok(algsurf_poly_eval(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
+        assert_ok(algsurf_poly_value(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
         assert_true(fabs(value) <= bound);
         if (scales[k] < -900) continue; /* the value itself underflows */
-        assert_ok(algsurf_poly_eval_compensated(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
+        assert_ok(algsurf_poly_value_compensated(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
         assert_true(fabs(value - ldexp(1.0, scales[k] - 64)) <= bound);
         assert_true(bound < 0x1p-20 * value);
     }
@@ -152,17 +152,17 @@ TEST(test_compensation_pays) {
 TEST(test_overflow) {
     const double c[3] = {1, 0, 1e300}, r[3] = {0, 0, 1.7e308};
     double value, bound;
-    assert_ok(algsurf_poly_eval(c, NULL, 2, -1e10, &value, &bound));
+    assert_ok(algsurf_poly_value(c, NULL, 2, -1e10, &value, &bound));
     assert_true(value == INFINITY && bound == INFINITY);
-    assert_ok(algsurf_poly_eval_compensated(c, NULL, 2, -1e10, &value, &bound));
+    assert_ok(algsurf_poly_value_compensated(c, NULL, 2, -1e10, &value, &bound));
     assert_true(value == INFINITY && bound == INFINITY);
-    assert_ok(algsurf_poly_eval(c, r, 2, 2.0, &value, &bound));
+    assert_ok(algsurf_poly_value(c, r, 2, 2.0, &value, &bound));
     assert_true(value == 4e300 && bound == INFINITY);
     const double huge[2] = {1.7e308, 1.7e308};
-    assert_ok(algsurf_poly_eval(huge, huge, 1, 0.0, &value, &bound));
+    assert_ok(algsurf_poly_value(huge, huge, 1, 0.0, &value, &bound));
     assert_true(value == 1.7e308 && bound >= 1.7e308);
     const double top[3] = {0, DBL_MAX, 1}, top_r[3] = {0, DBL_MAX, 0}; /* 0 * inf on the way to the bound */
-    assert_ok(algsurf_poly_eval(top, top_r, 2, 0.0, &value, &bound));
+    assert_ok(algsurf_poly_value(top, top_r, 2, 0.0, &value, &bound));
     assert_true(value == 0 && bound == INFINITY);
 }
 
@@ -178,7 +178,7 @@ TEST(test_amplified_underflow) {
         double t = fabs(exact_random_wide(&seed, 19, 19)) * 1.01;
         exact_poly_at(y, c, 51, t);
         c[0] = -mpq_get_d(y);
-        assert_ok(algsurf_poly_eval_compensated(c, NULL, 51, t, &value, &bound));
+        assert_ok(algsurf_poly_value_compensated(c, NULL, 51, t, &value, &bound));
         exact_poly_at(y, c, 51, t);
         assert_true(exact_within(value, y, bound));
     }
@@ -243,7 +243,7 @@ TEST(test_bernstein_of_simple_polynomials) {
     assert_ok(algsurf_poly_to_bernstein(c, NULL, TOP, -3.0, 7.0, b, br));
     for (int j = 0; j <= TOP; j++) assert_true(b[j] == 1.0 && br[j] == 0.0);
     c[0] = 0.0, c[1] = 1.0; /* leading zeros: no pad for underflow may grow with the powers of t */
-    assert_ok(algsurf_poly_eval(c, NULL, TOP, 1e10, &value, &bound));
+    assert_ok(algsurf_poly_value(c, NULL, TOP, 1e10, &value, &bound));
     assert_true(value == 1e10 && bound <= 1e10 * 0x1p-51);
     assert_ok(algsurf_poly_to_bernstein(c, NULL, TOP, -1.0, 1.0, b, br));
     for (int j = 0; j <= TOP; j++) {
@@ -282,12 +282,12 @@ TEST(test_any_environment) {
         int low = i % 2 ? -1074 : -4;
         fill(&seed, c, r, 8, low, low + 8);
         double t = exact_random_unit(&seed);
-        (void)algsurf_poly_eval(c, r, 8, t, &want[0], &want[1]);
-        (void)algsurf_poly_eval_compensated(c, r, 8, t, &want[2], &want[3]);
+        (void)algsurf_poly_value(c, r, 8, t, &want[0], &want[1]);
+        (void)algsurf_poly_value_compensated(c, r, 8, t, &want[2], &want[3]);
         (void)algsurf_poly_to_bernstein(c, r, 8, -1, 0.3, b, br);
         fesetround(modes[i % 3]);
-        (void)algsurf_poly_eval(c, r, 8, t, &got[0], &got[1]);
-        (void)algsurf_poly_eval_compensated(c, r, 8, t, &got[2], &got[3]);
+        (void)algsurf_poly_value(c, r, 8, t, &got[0], &got[1]);
+        (void)algsurf_poly_value_compensated(c, r, 8, t, &got[2], &got[3]);
         (void)algsurf_poly_to_bernstein(c, r, 8, -1, 0.3, b2, br2);
         int mode = fegetround();
         fesetround(FE_TONEAREST);
@@ -304,9 +304,8 @@ static void refuse_eval(evaluator eval) {
     double value = 7, bound = 8;
     assert_int_equal(eval(NULL, NULL, 1, 0, &value, &bound), ALGSURF_E_ARGUMENT);
     assert_int_equal(eval(c, NULL, 1, 0, NULL, &bound), ALGSURF_E_ARGUMENT);
-    assert_int_equal(eval(c, NULL, 1, 0, &value, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(eval(c, NULL, -1, 0, &value, &bound), ALGSURF_E_ARGUMENT);
-    assert_int_equal(eval(c, NULL, TOP + 1, 0, &value, &bound), ALGSURF_E_ARGUMENT);
+    assert_int_equal(eval(c, NULL, TOP + 1, 0, &value, &bound), ALGSURF_E_DEGREE);
     assert_int_equal(eval(c, negative, 1, 0, &value, &bound), ALGSURF_E_ARGUMENT);
     assert_int_equal(eval(nan_c, NULL, 1, 0, &value, &bound), ALGSURF_E_NOT_FINITE);
     assert_int_equal(eval(inf_c, NULL, 1, 0, &value, &bound), ALGSURF_E_NOT_FINITE);
@@ -320,8 +319,8 @@ static void refuse_eval(evaluator eval) {
 }
 
 TEST(test_bad_input_eval) {
-    refuse_eval(algsurf_poly_eval);
-    refuse_eval(algsurf_poly_eval_compensated);
+    refuse_eval(algsurf_poly_value);
+    refuse_eval(algsurf_poly_value_compensated);
 }
 
 TEST(test_bad_input_bernstein) {
@@ -329,9 +328,8 @@ TEST(test_bad_input_bernstein) {
     double b[2] = {7, 7}, br[2] = {7, 7};
     assert_int_equal(algsurf_poly_to_bernstein(NULL, NULL, 1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 1, 0, 1, NULL, br), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 1, 0, 1, b, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, -1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP + 1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP + 1, 0, 1, b, br), ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_poly_to_bernstein(c, negative, 1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 1, 1, 1, b, br), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 1, 2, 1, b, br), ALGSURF_E_ARGUMENT);

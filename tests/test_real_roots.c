@@ -121,7 +121,7 @@ TEST(test_refused) {
     assert_int_equal(algsurf_real_roots_integers(NULL, 1, 0, 1, t, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, -1, 0, 1, t, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1, t, 2, &count),
-                     ALGSURF_E_ARGUMENT);
+                     ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_real_roots_integers(good, 2, 1, 0, t, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, NAN, 0, t, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, NULL, 2, &count), ALGSURF_E_ARGUMENT);

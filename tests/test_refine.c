@@ -571,7 +571,7 @@ TEST(test_bad_input) {
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, NULL, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(c, NULL, -1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1, NULL, &r),
-                     ALGSURF_E_ARGUMENT);
+                     ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 0, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 2, 3, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, -INFINITY, 3, NULL, &r), ALGSURF_E_NOT_FINITE);

@@ -44,7 +44,7 @@ static void add_colour(const algsurf_scene *scene, const algsurf_hit *hit, const
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     double c[3] = {sky[0], sky[1], sky[2]};
-    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &lighting));
     if (hit->state != ALGSURF_STATE_MISS)
         assert_ok(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
@@ -280,7 +280,7 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
     int otherwise = 0;
     assert_ok(algsurf_scene_set_lights(scene, lights, count));
     assert_ok(algsurf_scene_set_material(scene, material));
-    assert_ok(algsurf_scene_lighting(scene, all, &lighting));
+    assert_ok(algsurf_scene_get_lighting(scene, all, &lighting));
     picture *p = drawn(scene, 2);
     *found = (shares){0};
     for (int k = 0; k < W * H; k++) {
@@ -417,7 +417,7 @@ TEST(lighting_of_scenes) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
     assert_ok(algsurf_scene_set_material(scene, &plain));
-    assert_ok(algsurf_scene_lighting(scene, lights, &l));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_true(l.size == sizeof l && l.lights == lights && l.light_count == 1 && l.bounded == 1);
     assert_memory_equal(l.material, &plain, sizeof plain);
     assert_memory_equal(l.up, camera.up, sizeof l.up);
@@ -435,17 +435,17 @@ TEST(lighting_of_scenes) {
     assert_true(light->samples_u == 0 && light->samples_v == 0 && light->colour[1] == 1);
     assert_ok(algsurf_scene_set_lights(scene, set, 2));
     assert_ok(algsurf_scene_set_extent(scene, NULL));
-    assert_ok(algsurf_scene_lighting(scene, lights, &l));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_true(l.light_count == 2 && l.bounded == 0 && l.radius > 0);
     assert_memory_equal(lights, set, sizeof set);
     assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
-    assert_ok(algsurf_scene_lighting(scene, lights, &l));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_int_equal(l.light_count, 0);
-    assert_int_equal(algsurf_scene_lighting(NULL, lights, &l), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_lighting(scene, NULL, &l), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_get_lighting(NULL, lights, &l), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_get_lighting(scene, NULL, &l), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_get_lighting(scene, lights, NULL), ALGSURF_E_ARGUMENT);
     l.size--;
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_E_SIZE);
+    assert_int_equal(algsurf_scene_get_lighting(scene, lights, &l), ALGSURF_E_SIZE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
@@ -459,7 +459,7 @@ static void double_plane(int tier) {
         algsurf_scene *scene = torus_scene(surface, (algsurf_quality)q, 1);
         algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
         assert_ok(algsurf_scene_set_camera(scene, &camera));
-        assert_ok(algsurf_scene_set_intersect(scene, &how));
+        assert_ok(algsurf_scene_set_intersect_options(scene, &how));
         picture *p = drawn(scene, 1);
         assert_true(p->stats.undecided == open && p->stats.hits == all - open && p->stats.rays == all);
         for (int k = 0; k < W * H; k++) {
@@ -553,7 +553,7 @@ TEST(bad_scene) {
     REFUSED(ARGUMENT, set_antialias_threshold(NULL, 0.5));
     REFUSED(ARGUMENT, set_antialias_threshold(scene, -0.5));
     REFUSED(ARGUMENT, set_antialias_threshold(scene, NAN));
-    REFUSED(ARGUMENT, set_intersect(NULL, &o));
+    REFUSED(ARGUMENT, set_intersect_options(NULL, &o));
     extent.size[0] = -1;
     REFUSED(ARGUMENT, set_extent(scene, &extent));
     extent.size[0] = INFINITY;
@@ -580,22 +580,22 @@ TEST(bad_scene) {
     REFUSED(NOT_FINITE, set_background(scene, colour));
     REFUSED(NOT_FINITE, set_thin(scene, colour));
     o.size = 1;
-    REFUSED(SIZE, set_intersect(scene, &o));
+    REFUSED(SIZE, set_intersect_options(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .tier = 2};
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .method = 4};
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .max_iterations = -1};
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .absolute_tolerance = NAN};
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
     o.absolute_tolerance = -1;
-    REFUSED(ARGUMENT, set_intersect(scene, &o));
+    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
 #undef REFUSED
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */
     assert_same_picture(before, after);
     free(after);
-    assert_ok(algsurf_scene_set_intersect(scene, NULL));
+    assert_ok(algsurf_scene_set_intersect_options(scene, NULL));
     assert_ok(algsurf_scene_set_extent(scene, NULL));
     after = drawn(scene, 1); /* the torus lies in the ball: all of space shows the same hits */
     assert_true(after->stats.hits == before->stats.hits);

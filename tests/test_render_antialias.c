@@ -40,7 +40,7 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const double sky[3] = {0.6, 0.1, 0.02};
     algsurf_scene *scene = torus_scene(surface, way->quality, 1);
     assert_ok(algsurf_scene_set_background(scene, sky));
-    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_intersect_options(scene, &options));
     assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
     assert_ok(algsurf_scene_set_coherence(scene, way->coherence));
     return scene;

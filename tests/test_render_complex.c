@@ -85,7 +85,7 @@ TEST(pixel_by_pixel) {
     assert_ok(algsurf_scene_set_lights(scene, &light, 1));
     assert_ok(algsurf_scene_set_material(scene, &plain));
     assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL));
-    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
+    assert_ok(algsurf_scene_get_lighting(scene, lights, &lighting));
     picture *p = drawn(scene, 2);
     for (int k = 0; k < W * H; k++) {
         double c[3] = {1, 1, 1};
@@ -214,7 +214,7 @@ TEST(states_of_single_rays) {
             for (int k = 0; algsurf_kernel_name(k); k++) {
                 algsurf_intersect_options options = {.size = sizeof options,
                                                      .kernel = algsurf_kernel_name(k)};
-                assert_ok(algsurf_scene_set_intersect(scene, &options));
+                assert_ok(algsurf_scene_set_intersect_options(scene, &options));
                 picture *other = drawn(scene, 2);
                 assert_same_picture(p, other);
                 assert_true(other->stats.single_rays == p->stats.single_rays &&

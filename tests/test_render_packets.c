@@ -67,7 +67,7 @@ static picture *draw(const algsurf_surface *surface, const view *v,
     blank(p);
     assert_ok(algsurf_scene_set_extent(scene, &v->extent));
     assert_ok(algsurf_scene_set_camera(scene, &v->camera));
-    assert_ok(algsurf_scene_set_intersect(scene, options));
+    assert_ok(algsurf_scene_set_intersect_options(scene, options));
     assert_ok(algsurf_render(scene, &how, &planes, &p->stats));
     algsurf_scene_free(scene);
     return p;

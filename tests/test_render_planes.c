@@ -41,7 +41,7 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_camera camera = camera_in(way);
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
-    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_intersect_options(scene, &options));
     assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
     return scene;
 }
@@ -132,7 +132,7 @@ TEST(undecided) {
                 .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as[d]};
             algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, n);
             assert_ok(algsurf_scene_set_camera(scene, &camera));
-            assert_ok(algsurf_scene_set_intersect(scene, &how));
+            assert_ok(algsurf_scene_set_intersect_options(scene, &how));
             picture *p = drawn(scene, 1);
             for (int k = 0; k < W * H; k++) {
                 algsurf_hit nearest = {.t = INFINITY};
@@ -269,7 +269,7 @@ TEST(any_planes) {
             for (int k = 0; (kernel = algsurf_kernel_name(k)) != NULL; k++) {
                 const algsurf_intersect_options options = {.size = sizeof options, .kernel = kernel};
                 algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
-                assert_ok(algsurf_scene_set_intersect(scene, &options));
+                assert_ok(algsurf_scene_set_intersect_options(scene, &options));
                 assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold));
                 assert_ok(algsurf_scene_set_background(scene, look == 0 ? dark : NULL));
                 if (look == 2) assert_ok(algsurf_scene_set_material(scene, &soot));

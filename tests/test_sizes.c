@@ -93,11 +93,11 @@ static algsurf_status solver_stats(void *p) {
     return algsurf_complex_solver_run(solver, z, NULL, 2, NULL, roots, &count, p);
 }
 static algsurf_status material(void *p) { return algsurf_scene_set_material(scene, p); }
-static algsurf_status intersect(void *p) { return algsurf_scene_set_intersect(scene, p); }
+static algsurf_status intersect(void *p) { return algsurf_scene_set_intersect_options(scene, p); }
 static algsurf_status complex_space(void *p) { return algsurf_scene_set_complex_space(scene, p); }
 static algsurf_status scene_lighting(void *p) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
-    return algsurf_scene_lighting(scene, lights, p);
+    return algsurf_scene_get_lighting(scene, lights, p);
 }
 static algsurf_status shade_lighting(void *p) {
     const double x[3] = {1, 0, 0};

@@ -286,6 +286,11 @@ static void number_of_roots(const double *c, const double *r, int n, double lo, 
 static void roots_of(const double *c, const double *r, int n, double lo, double hi) {
     if (!r) (void)algsurf_real_roots(c, n, lo, hi, real_roots, MOST, &found);
 }
+static void first_root(const double *c, const double *r, int n, double lo, double hi) {
+    double root;
+    if (!r) (void)algsurf_real_root_first(c, n, lo, hi, &root, &found);
+}
+STACK_OF(algsurf_real_root_first, 54, RENDERER) { for_polys(first_root); }
 STACK_OF(algsurf_isolate_first, 40, RENDERER) { for_polys(first_bracket); }
 STACK_OF(algsurf_isolate_all, 40, OTHERS) { for_polys(all_brackets); }
 STACK_OF(algsurf_count_roots, 44, OTHERS) { for_polys(number_of_roots); }
@@ -376,14 +381,14 @@ static void batches(int roots) {
 STACK_OF(algsurf_first_roots_batch, 54, OTHERS) { batches(0); }
 STACK_OF(algsurf_real_roots_batch, 54, OTHERS) { batches(1); }
 
-STACK_OF(algsurf_poly_eval, USUAL, OTHERS) {
+STACK_OF(algsurf_poly_value, USUAL, OTHERS) {
     double value, bound;
-    (void)algsurf_poly_eval(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
+    (void)algsurf_poly_value(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
 }
-STACK_OF(algsurf_poly_eval_compensated, USUAL, OTHERS) {
+STACK_OF(algsurf_poly_value_compensated, USUAL, OTHERS) {
     double value, bound;
-    (void)algsurf_poly_eval_compensated(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
-    (void)algsurf_poly_eval_compensated(polys[0].c, NULL, MOST, 0x1p900, &value, &bound);
+    (void)algsurf_poly_value_compensated(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
+    (void)algsurf_poly_value_compensated(polys[0].c, NULL, MOST, 0x1p900, &value, &bound);
 }
 STACK_OF(algsurf_poly_to_bernstein, 10, OTHERS) {
     static double b[2][MOST + 1];
@@ -601,17 +606,11 @@ STACK_OF(algsurf_expand_bernstein, 12, RENDERER) {
         (void)algsurf_expand_bernstein(surfaces[i / RAYS], &ray, b[0], b[1]);
     }
 }
-STACK_OF(algsurf_extent_clip, USUAL, RENDERER) {
-    for (int i = 0; i < 3 * RAYS; i++) {
-        algsurf_ray chord;
-        (void)algsurf_extent_clip(extents + i / RAYS, rays + i % RAYS, &chord, &found);
-    }
-}
-STACK_OF(algsurf_region_clip, USUAL, RENDERER) {
+STACK_OF(algsurf_ray_clip, USUAL, RENDERER) {
     static const algsurf_plane planes[2] = {{{1, 0.5, 0}, 0.5}, {{-0.25, 0, 1}, 1}};
     for (int i = 0; i < 3 * RAYS; i++) {
         algsurf_ray chord;
-        (void)algsurf_region_clip(extents + i / RAYS, planes, 2, rays + i % RAYS, &chord, &found);
+        (void)algsurf_ray_clip(rays + i % RAYS, extents + i / RAYS, planes, 2, &chord, &found);
     }
 }
 
@@ -678,10 +677,10 @@ STACK_OF(algsurf_scene_create, USUAL, OTHERS) {
     algsurf_scene_free(made);
 }
 STACK_OF(algsurf_scene_free, USUAL, OTHERS) { algsurf_scene_free(NULL); }
-STACK_OF(algsurf_scene_lighting, USUAL, OTHERS) {
+STACK_OF(algsurf_scene_get_lighting, USUAL, OTHERS) {
     static algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting of = {.size = sizeof of};
-    (void)algsurf_scene_lighting(scene, lights, &of);
+    (void)algsurf_scene_get_lighting(scene, lights, &of);
 }
 STACK_OF(algsurf_scene_set_antialias, USUAL, OTHERS) { (void)algsurf_scene_set_antialias(scene, 2); }
 STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS) {
@@ -701,7 +700,9 @@ STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS) {
     (void)algsurf_scene_set_complex_space(scene, &space);
 }
 STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS) { (void)algsurf_scene_set_extent(scene, extents + 2); }
-STACK_OF(algsurf_scene_set_intersect, USUAL, OTHERS) { (void)algsurf_scene_set_intersect(scene, NULL); }
+STACK_OF(algsurf_scene_set_intersect_options, USUAL, OTHERS) {
+    (void)algsurf_scene_set_intersect_options(scene, NULL);
+}
 STACK_OF(algsurf_scene_set_lights, USUAL, OTHERS) { (void)algsurf_scene_set_lights(scene, &light, 1); }
 STACK_OF(algsurf_scene_set_material, USUAL, OTHERS) { (void)algsurf_scene_set_material(scene, &material); }
 STACK_OF(algsurf_scene_set_quality, USUAL, OTHERS) {
@@ -725,7 +726,7 @@ static void draw(algsurf_scene *of) {
     algsurf_render_options size = {.size = sizeof size, .width = WIDTH, .height = HEIGHT, .threads = 2};
     for (int k = 0; algsurf_kernel_name(k); k++) {
         algsurf_intersect_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(k)};
-        (void)algsurf_scene_set_intersect(of, &o);
+        (void)algsurf_scene_set_intersect_options(of, &o);
         (void)algsurf_render(of, &size, &picture, NULL);
     }
 }

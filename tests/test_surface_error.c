@@ -181,7 +181,7 @@ static void draw(const algsurf_surface *s, double off, int tier, double *t, uint
     assert_ok(algsurf_scene_set_extent(scene, &ball));
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW));
-    assert_ok(algsurf_scene_set_intersect(scene, &how));
+    assert_ok(algsurf_scene_set_intersect_options(scene, &how));
     assert_ok(algsurf_render(scene, &o, &planes, &stats));
     *undecided = (uint64_t)stats.undecided;
     algsurf_scene_free(scene);

@@ -280,7 +280,7 @@ TEST(undecided_places_hide_nothing) {
         const algsurf_intersect_options how = {
             .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};
         algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
-        assert_ok(algsurf_scene_set_intersect(scene, &how));
+        assert_ok(algsurf_scene_set_intersect_options(scene, &how));
         draw(scene, SIZE, &first);
         assert_true(first.stats.undecided + first.stats.hits > 40 || as == ALGSURF_AS_MISS);
         assert_ok(algsurf_scene_set_thin(scene, red));
@@ -397,7 +397,7 @@ TEST(out_of_reach_is_as_before) {
     for (int way = 0; way < 5; way++) {
         algsurf_surface *surface = surface_of(way == 3 ? "x^2 z^23 + y^2" : lines[0].equation);
         algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera, NULL);
-        if (way == 1) assert_ok(algsurf_scene_set_intersect(scene, &brent));
+        if (way == 1) assert_ok(algsurf_scene_set_intersect_options(scene, &brent));
         if (way == 2) assert_ok(algsurf_scene_set_complex_space(scene, &space));
         draw(scene, 64, &first);
         assert_ok(algsurf_scene_set_thin(scene, red));
@@ -437,7 +437,7 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
     assert_same(&first, &second);
     for (int i = 0; algsurf_kernel_name(i); i++) {
         const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
-        assert_ok(algsurf_scene_set_intersect(scene, &how));
+        assert_ok(algsurf_scene_set_intersect_options(scene, &how));
         draw(scene, SIZE, &second);
         assert_same(&first, &second);
     }

@@ -72,7 +72,8 @@ static algsurf_complex value_at(const polynomial *p, double x) {
     return v;
 }
 
-/* The unit sphere in a ball of radius 1.2: at both ends of a chord x^2 + y^2 + z^2 - 1 = 0.44. */
+/* The unit sphere in a ball of radius 1.2: at both ends of a chord x^2 + y^2 + z^2 - 1 = 0.44, or a
+ * little more, as chords are rounded outward. */
 TEST(rays_are_recentred) {
     enum { COUNT = 200 };
     polynomial *p = rays("sphere", COUNT);
@@ -80,7 +81,7 @@ TEST(rays_are_recentred) {
     for (int i = 0; i < COUNT; i++) {
         algsurf_complex a = value_at(&p[i], -1), b = value_at(&p[i], 1), middle = value_at(&p[i], 0);
         assert_int_equal(p[i].degree, 2);
-        assert_true(fabs(a.re - 0.44) < 1e-14 && fabs(b.re - 0.44) < 1e-14 && a.im == 0 && b.im == 0);
+        assert_true(fabs(a.re - 0.44) < 1e-11 && fabs(b.re - 0.44) < 1e-11 && a.im == 0 && b.im == 0);
         hits += middle.re < 0;
     }
     assert_in_range(hits, COUNT / 2, COUNT - 10); /* (1 / 1.2)^2 = 0.69 in parallel projection */

@@ -160,7 +160,7 @@ int scene_camera(algsurf_scene *scene, const double *view, int orthographic, dou
 EXPORTED(scene_material) int scene_material(algsurf_scene *scene, const double *material) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    algsurf_status status = algsurf_scene_lighting(scene, lights, &lighting);
+    algsurf_status status = algsurf_scene_get_lighting(scene, lights, &lighting);
     if (status != ALGSURF_OK) return status;
     algsurf_material m = *lighting.material;
     double *const numbers[12] = {m.outside,    m.outside + 1, m.outside + 2, m.inside,

@@ -30,7 +30,7 @@ static void set_colours(const page_state *state, const render_look *look, algsur
                         algsurf_status *failed) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    keep(failed, algsurf_scene_lighting(scene, lights, &lighting));
+    keep(failed, algsurf_scene_get_lighting(scene, lights, &lighting));
     if (*failed != ALGSURF_OK) return;
     algsurf_material material = *lighting.material;
     render_paint(look, &material);
@@ -71,7 +71,7 @@ algsurf_scene *page_scene(const algsurf_surface *surface, const page_state *stat
 EXPORTED(page_set_bounded) int page_set_bounded(algsurf_scene *scene, int bounded) {
     const algsurf_intersect_options options = {
         .size = sizeof options, .tier = bounded ? ALGSURF_TIER_BOUNDED : ALGSURF_TIER_CERTIFIED};
-    return algsurf_scene_set_intersect(scene, &options);
+    return algsurf_scene_set_intersect_options(scene, &options);
 }
 
 /* ---- pictures ---- */
@@ -117,8 +117,8 @@ int page_fit(const algsurf_surface *surface, const page_state *state, int width,
         options.extent = (cli_extent){extent_of(state), 1};
         options.centre = (cli_vector){{state->centre[0], state->centre[1], state->centre[2]}, 1};
     }
-    algsurf_status status = fit_choose(&v, &options, surface, state->complex_given != 0,
-                                       state->thin != THIN_NONE, &choice);
+    algsurf_status status =
+        fit_choose(&v, &options, surface, state->complex_given != 0, state->thin != THIN_NONE, &choice);
     if (status != ALGSURF_OK) return status;
     const double *const threes[] = {v.extent.centre, v.extent.size, v.eye, v.look_at, v.up};
     for (int i = 0; i < 5; i++) memcpy(fitted + 3 * i, threes[i], sizeof v.eye);

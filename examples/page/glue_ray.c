@@ -13,10 +13,10 @@ int page_ray(const page_state *state, int width, int height, double x, double y,
     int meets = 0;
     algsurf_status status = camera_of(state, &camera);
     keep(&status, status == ALGSURF_OK ? algsurf_camera_ray(&camera, width, height, x, y, chord) : status);
-    keep(&status, status == ALGSURF_OK ? algsurf_extent_clip(&extent, chord, chord, &meets) : status);
+    keep(&status, status == ALGSURF_OK ? algsurf_ray_clip(chord, &extent, NULL, 0, chord, &meets) : status);
     algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
     if (status == ALGSURF_OK && meets)
-        keep(&status, algsurf_region_clip(&extent, planes, planes_of(state, planes), chord, chord, &meets));
+        keep(&status, algsurf_ray_clip(chord, &extent, planes, planes_of(state, planes), chord, &meets));
     return status < 0 ? status : meets;
 }
 

@@ -37,8 +37,8 @@ typedef struct algsurf_complex_root {
  * real, the others are in exactly conjugate boxes.  A box holds several different roots only where no doubles
  * tell them apart.  With radii, roots that these do not part share a box.  Entries are in increasing order of
  * root.re, then of root.im.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
- * E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
+ * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
  * else integers of as many bits as it takes: Wilkinson's polynomial of degree 20 0.2 milliseconds,
  * Chebyshev's of degree 160 0.2 seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).
@@ -56,7 +56,8 @@ ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const 
 
 /* The same for integer coefficients, real or complex (Gaussian) ones, of any length.
  *   re, im  degree+1 real parts, and imaginary parts; im null: the coefficients are real
- * Errors: E_ARGUMENT (null, degree, more than ALGSURF_MAX_LIMBS limbs or null ones), E_ZERO, E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, negative degree, more than ALGSURF_MAX_LIMBS limbs or null ones), E_DEGREE,
+ * E_ZERO, E_NO_MEMORY.
  * Ends of boxes beyond the range of double are infinite.  Cost: that of ill-conditioned polynomials above.
  * 28 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re,
@@ -89,7 +90,7 @@ typedef struct algsurf_precise_root {
  * order of re, then of im.
  * Returns OK; or NOT_CONVERGED, where 1000 steps have not parted the roots, which is not known to happen:
  * nothing is written then.
- * Errors: E_ARGUMENT (null, degree, bits, limbs as above), E_ZERO, E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, bits, limbs as above), E_DEGREE, E_ZERO, E_NO_MEMORY.
  * Cost: beside that of algsurf_complex_roots_integers, about twice degree^2 (bits / 64)^2 products of words.
  * Source: as above, then Newton's method.  36 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_precise_roots_create(const algsurf_integer *re, const algsurf_integer *im,
@@ -102,37 +103,6 @@ ALGSURF_API algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots
                                                      algsurf_precise_root *root);
 /* Releases roots, and the limbs of each; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_precise_roots_free(algsurf_precise_roots *roots);
-
-/* ---- many polynomials at once ---- */
-
-/* Polynomials of one degree with complex or real coefficients. */
-typedef struct algsurf_complex_batch {
-    size_t size;         /* sizeof(algsurf_complex_batch) */
-    size_t count;        /* of polynomials; pointers may be null when it is 0 */
-    int degree;          /* a bound, 1..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
-    algsurf_table re;    /* real parts of the coefficients */
-    algsurf_table im;    /* imaginary parts; at null: the coefficients are real */
-    algsurf_table radii; /* of the coefficients; at null: they are exact */
-} algsurf_complex_batch;
-
-/* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (no
- * imaginary parts), or algsurf_complex_roots.
- *   options  null: all defaults
- *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
- *   count    for each polynomial the number of its entries; or, if the single call fails, its error, a
- *            negative algsurf_status: its entries mean nothing then
- * roots and count may not overlap the input.
- * Returns the first error in count, or OK; the answers for all other polynomials are valid.
- * Errors: E_ARGUMENT (null, degree outside its range, bad kernel, a relative_tolerance): nothing is
- * written; else those of the single call.
- * Guarantee: verified, as algsurf_complex_roots.
- * Cost: polynomials without radii of degree 24 at most are solved side by side, as many as the kernel has
- * lanes.  Those that this does not prove, and all others, are solved one by one.
- * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
- * 64 KiB of stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
-                                                       const algsurf_batch_options *options,
-                                                       algsurf_complex_root *roots, int *count);
 
 /* ---- a solver with its own memory ---- */
 

@@ -33,8 +33,8 @@ typedef enum algsurf_part {
  * Source: branch and bound (Skelboe 1974) on Taylor forms of P about the middles of cells, with a bound on
  * rounding.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_enclose(const algsurf_surface *surface,
-                                                   const algsurf_extent *extent, int part, double precision,
-                                                   double lo[3], double hi[3], int *empty);
+                                                   const algsurf_extent *extent, algsurf_part part,
+                                                   double precision, double lo[3], double hi[3], int *empty);
 
 #ifdef __cplusplus
 }

@@ -237,7 +237,7 @@ typedef struct algsurf_complex_space {
  *          change the time, not the answer
  *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
  *          with; if fewer are found, the others are NaN
- * There are no options: of algsurf_intersect_options only planes would play a part; algsurf_region_clip gives
+ * There are no options: of algsurf_intersect_options only planes would play a part; algsurf_ray_clip gives
  * the part of the ray that they keep.  Pictures cut complex space, too (algsurf_scene_set_clip).
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
  * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */

@@ -84,7 +84,8 @@ ALGSURF_API int algsurf_interval_interior(algsurf_interval a, algsurf_interval b
  * coefficients in c.  It is what two enclosures have in common: that of Horner's scheme, and the centred form
  * p(m) + q(x) (x - m), m the middle of x, q the quotient of p - p(m) by x - m, whose excess over the exact
  * range is of second order in the width of x.  Where that is too wide, split x.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, an operand that is no interval).
+ * Errors: E_ARGUMENT (null, negative degree, an operand that is no interval), E_DEGREE (above
+ * ALGSURF_MAX_POLY_DEGREE).
  * Cost: about 55 ns times degree, half of that if x is one number.  Source: Krawczyk, Neumaier 1985. */
 ALGSURF_API algsurf_status algsurf_interval_poly(const algsurf_interval *c, int degree, algsurf_interval x,
                                                  algsurf_interval *result);

@@ -31,32 +31,30 @@ typedef struct algsurf_integer {
 /* The value at a point, computed in double, with a bound on its error.
  *   c, r    degree+1 coefficients (power basis) and radii, or r null
  *   value   p(t), by Horner's rule
- *   bound   encloses: |value - q(t)| <= bound for every q in the set.  May be +inf on overflow.
- * Errors: E_ARGUMENT (null pointer, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius),
+ *   bound   encloses: |value - q(t)| <= bound for every q in the set.  +inf on overflow.  Null: not asked for
+ * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE.  Cost: O(degree).  Source: running error bound, Higham, Accuracy and Stability of
  * Numerical Algorithms, 2002, 5.1.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
+ALGSURF_API algsurf_status algsurf_poly_value(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
 
 /* The same with a value computed as if in doubled precision: bound is about one unit in the last place of
  * value, plus sum r_i |t|^i, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree (coefficients and t
- * beyond 2^900 may get the bound of algsurf_poly_eval instead).
- * Cost: O(degree), three to four times that of algsurf_poly_eval.  Source: compensated Horner scheme,
+ * beyond 2^900 may get the bound of algsurf_poly_value instead).
+ * Cost: O(degree), three to four times that of algsurf_poly_value.  Source: compensated Horner scheme,
  * Graillat, Langlois, Louvet 2005.  Errors: as above.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
+ALGSURF_API algsurf_status algsurf_poly_value_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);
 
 /* Power basis to Bernstein basis on [lo,hi].
- *   b, br   degree+1 Bernstein coefficients and their radii (both required; may not overlap c, r).
+ *   b, br   degree+1 Bernstein coefficients and their radii, or br null; may not overlap c, r.
  *           Encloses: every member of the input set has its coefficients in b[j] +- br[j].
- * Errors: E_ARGUMENT (also lo >= hi), E_NOT_FINITE (also infinite lo, hi), E_RANGE (overflow).
+ * Errors: as above; E_ARGUMENT also for lo >= hi, E_NOT_FINITE for infinite lo, hi, E_RANGE (overflow).
  * Cost: O(degree^2).  Source: blossoming (Ramshaw 1989), as a Horner scheme in normalised
  * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.
  * 10 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
                                                      double hi, double *b, double *br);
-
-/* ---- many polynomials at once ---- */
 
 /* Where the coefficients of many polynomials, or other numbers for each power of each polynomial, are in the
  * caller's memory: that of power k of polynomial i is at[k * power + i * polynomial].  With n = degree + 1,
@@ -70,16 +68,6 @@ typedef struct algsurf_table {
     const double *at;            /* null, where that is allowed: there are none */
     ptrdiff_t power, polynomial; /* steps from one to the next, in doubles */
 } algsurf_table;
-
-/* How the roots of many polynomials are found. */
-typedef struct algsurf_batch_options {
-    size_t size;        /* sizeof(algsurf_batch_options) */
-    const char *kernel; /* the SIMD code, by a name that algsurf_kernel_name (intersect.h) gives; null: the
-                           fastest that runs here.  All of them give the same bits. */
-    double relative_tolerance; /* for algsurf_first_roots_batch: wanted error of a root, relative to the
-                                  length of its interval, 0 <= relative_tolerance < 1; 0: 1e-12 or better.
-                                  The other calls require 0 */
-} algsurf_batch_options;
 
 #ifdef __cplusplus
 }

@@ -42,38 +42,28 @@ typedef struct algsurf_plane {
     double offset;    /* finite */
 } algsurf_plane;
 
-/* The part of a ray inside an extent: a ray with the same origin and direction, t_min and t_max
- * narrowed.  extent null is all of space.
- *   chord  receives the narrowed ray; may be the same object as ray
- *   meets  1: the chord has points; 0: it has none (chord is then not written)
- * The ends are rounded to nearest after a computation about the ray's point nearest to the centre:
- * a far origin costs no digits.  Guarantee: approximate (within a few units in the last place of the
- * distance from the origin to the far side of the extent, also where the ray only grazes it); t_min
- * and t_max of the ray itself are kept exactly.
- * Errors: E_ARGUMENT (null, zero direction, NaN t, unknown kind, size not positive), E_NOT_FINITE (origin,
- * direction, centre, size).
- * Cost: constant.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray,
-                                               algsurf_ray *chord, int *meets);
-
-/* The part of a ray that is inside an extent and kept by all planes given, rounded outward.
+/* The part of a ray that is inside an extent and kept by all planes: a ray with the same origin and direction,
+ * t_min and t_max narrowed.
  *   extent          null: all of space
  *   planes, count   as algsurf_scene_set_clip takes them; null with count 0: no planes
- *   chord, meets    as above
+ *   chord           receives the narrowed ray; may be the same object as ray
+ *   meets           1: the chord has points; 0: it has none, and chord is not written
  * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes has its t in
  * [chord->t_min, chord->t_max], all doubles taken as exact; if there is such a point, meets is 1.  So the
  * hits on the ray are those on the chord, with the same extent and planes.  The chord is hardly longer than
- * that part of the ray.  Its points leave a box along axis i by at most
+ * that part of the ray: ends of the ray that are inside stay as they are, and other points of the chord leave
+ * a box along axis i by at most
  *     e_i = 2^-42 (|origin_i| + |centre_i| + size_i),
  * a ball by at most the largest e_i, with its radius as each size_i, and a plane (by normal . X - offset) by
  * at most
  *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
  * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)
- * Errors: as above, for planes too: E_ARGUMENT (null, more than ALGSURF_MAX_CLIP_PLANES, normal 0),
- * E_NOT_FINITE.  Cost: constant.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_plane *planes,
-                                               size_t count, const algsurf_ray *ray, algsurf_ray *chord,
-                                               int *meets);
+ * Errors: E_ARGUMENT (null, zero direction, NaN t, unknown kind, size not positive, more than
+ * ALGSURF_MAX_CLIP_PLANES, normal 0), E_NOT_FINITE (origin, direction, centre, size, planes).
+ * Cost: constant.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_ray_clip(const algsurf_ray *ray, const algsurf_extent *extent,
+                                            const algsurf_plane *planes, size_t count, algsurf_ray *chord,
+                                            int *meets);
 
 #ifdef __cplusplus
 }

@@ -90,7 +90,7 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  *   set may have equal signs at lo and hi, the answer is E_ARGUMENT;
  * - root, residual, counts and converged are those of the polynomial c itself.  An observer is told of cells,
  *   too.
- * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE or a negative radius,
+ * Errors: also E_ARGUMENT for a negative degree or radius, E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE; E_NO_MEMORY (by default, where integers decide: 1 GiB at most).
  * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few

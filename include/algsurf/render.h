@@ -37,7 +37,7 @@ typedef enum algsurf_coherence {
  * background, standard quality, 1 sample a pixel, certified tier, real space, coherence by neighbours (for
  * complex space).  Until lights are set there is one wide light that moves with camera and extent: above and
  * to the left of what is shown, on the viewer's side, 16 radii from its centre (all of space: the radius that
- * fills the picture at the origin).  algsurf_scene_lighting() returns the light in use.  The surface is
+ * fills the picture at the origin).  algsurf_scene_get_lighting() returns the light in use.  The surface is
  * borrowed: it must outlive the scene.
  * Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
@@ -94,7 +94,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const do
  *   lights    room for ALGSURF_MAX_LIGHTS
  *   lighting  its size set by the caller; it points to lights and to the scene's material: both must stay
  * Errors: E_ARGUMENT (null), E_SIZE.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_scene_lighting(const algsurf_scene *scene,
+ALGSURF_API algsurf_status algsurf_scene_get_lighting(const algsurf_scene *scene,
                                                   algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                                   algsurf_lighting *lighting);
 /* How points of the surface are lit.  Errors: as above, also for an unknown quality.  Since 1.0. */
@@ -121,7 +121,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *
 /* How the rays of the picture are intersected.  Options with planes are E_ARGUMENT; algsurf_scene_set_clip
  * sets planes, and this call leaves them as they are.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */
-ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
+ALGSURF_API algsurf_status algsurf_scene_set_intersect_options(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
 /* Cuts what is shown by planes: what lies beyond one of them is treated like what is outside the extent.  It

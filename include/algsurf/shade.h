@@ -20,7 +20,7 @@ extern "C" {
 #define ALGSURF_MAX_LIGHTS 16
 
 /* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0.  Unlike in options, 0 is
- * not a default here: to change one member, get the material of a new scene by algsurf_scene_lighting(),
+ * not a default here: to change one member, get the material of a new scene by algsurf_scene_get_lighting(),
  * change a copy of it and set that.  (A new scene has diffuse 0.72, ambient 0.135, fill 0.135, specular 0.32,
  * roughness 0.2, haze 0.2.) */
 typedef struct algsurf_material {
@@ -46,7 +46,7 @@ typedef struct algsurf_light {
     int samples_u, samples_v;    /* 1..64 each; 1, 1 is a point light; or 0, 0 */
 } algsurf_light;
 
-/* All that a colour depends on besides the point.  algsurf_scene_lighting() fills it for a scene. */
+/* All that a colour depends on besides the point.  algsurf_scene_get_lighting() fills it for a scene. */
 typedef struct algsurf_lighting {
     size_t size;                      /* sizeof(algsurf_lighting) */
     const algsurf_material *material; /* borrowed */

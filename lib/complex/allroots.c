@@ -14,6 +14,7 @@
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "../poly/degree.h"
 #include "discs.h"
 #include "impl.h"
 
@@ -126,6 +127,8 @@ static int is_none(const algsurf_integer *z) {
 
 static algsurf_status read_integers(const algsurf_integer *re, const algsurf_integer *im, int degree,
                                     problem *s) {
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status != ALGSURF_OK) return status;
     *s = (problem){.z = {re, im}, .high = -1, .low = degree, .real = 1};
     int turned = im != NULL; /* i times real ones have the same roots */
     for (int k = 0; k <= degree; k++) turned = turned && is_none(re + k);
@@ -239,7 +242,7 @@ algsurf_status algsurf_i_all_roots(const algsurf_complex *c, const double *r, in
 algsurf_status algsurf_complex_roots_integers(const algsurf_integer *re, const algsurf_integer *im,
                                               int degree, algsurf_complex_root *roots, int *count) {
     problem s;
-    if (!re || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (!re || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_integers(re, im, degree, &s);
     if (status != ALGSURF_OK) return status;
     ALGSURF_STANDARD(status = solve_all(&s, NULL, ALGSURF_I_COMPLEX_MEMORY, roots, count));

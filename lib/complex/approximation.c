@@ -11,6 +11,7 @@
 #include "papers.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "../poly/degree.h"
 
 #define UNIT_LIMIT 1100 /* beyond it z is 0 or infinite as a double */
 
@@ -27,12 +28,13 @@ algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsu
 }
 
 algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree) {
-    if (!p || degree < 1 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; k <= degree; k++) {
+    if (!p || degree == 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    for (int k = 0; status == ALGSURF_OK && k <= degree; k++) {
         if (!algsurf_i_finite(p[k]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
         if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
     }
-    return ALGSURF_OK;
+    return status;
 }
 
 int algsurf_i_unit_near(const algsurf_complex *p, int n, algsurf_complex z) {

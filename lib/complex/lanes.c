@@ -1,4 +1,4 @@
-/* lanes.c - all complex roots, of one polynomial or of many: the public calls.
+/* lanes.c - all complex roots of one polynomial: the public calls.
  *
  * Exact polynomials of small degrees go to the lanes first (boxes_template.h); what those leave open, and all
  * others, to allroots.c. */
@@ -6,8 +6,7 @@
 #include "algsurf/allroots.h"
 
 #include "../base/fpenv.h"
-#include "../base/options.h"
-#include "../poly/table.h"
+#include "../poly/degree.h"
 #include "impl.h"
 #include "boxes.h"
 
@@ -56,63 +55,16 @@ static const algsurf_i_allroots_kernel *fastest(void) {
 
 algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                      algsurf_complex_root *roots, int *count) {
-    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = solve(fastest(), c, r, degree, roots, count));
+    if (!c || !roots || !count) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status == ALGSURF_OK) ALGSURF_STANDARD(status = solve(fastest(), c, r, degree, roots, count));
     return status;
 }
 
 algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                              algsurf_complex_root *roots, int *count) {
-    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
-    algsurf_status status;
-    ALGSURF_STANDARD(status = solve_real(fastest(), c, r, degree, roots, count));
-    return status;
-}
-
-/* ---- many polynomials ---- */
-
-/* Polynomial i by itself. */
-static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_kernel *kernel,
-                                                    const algsurf_complex_batch *p, size_t i,
-                                                    algsurf_complex_root *roots, int *count) {
-    algsurf_complex c[ALGSURF_MAX_POLY_DEGREE + 1];
-    double re[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->radii.at ? r : NULL;
-    algsurf_i_table_row(&p->re, p->degree, i, re);
-    if (radii) algsurf_i_table_row(&p->radii, p->degree, i, r);
-    if (!p->im.at) return solve_real(kernel, re, radii, p->degree, roots, count);
-    for (int k = 0; k <= p->degree; k++) c[k] = (algsurf_complex){re[k], algsurf_i_table_entry(&p->im, k, i)};
-    return solve(kernel, c, radii, p->degree, roots, count);
-}
-
-static ALGSURF_NOINLINE algsurf_status solve_batch(const algsurf_i_allroots_kernel *kernel,
-                                                   const algsurf_complex_batch *p,
-                                                   algsurf_complex_root *roots, int *count) {
-    algsurf_status first = ALGSURF_OK;
-    int in_lanes = !p->radii.at && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
-    if (in_lanes) kernel->many(&p->re, &p->im, p->degree, p->count, roots, count);
-    for (size_t i = 0; i < p->count; i++) {
-        if (in_lanes && count[i] >= 0) continue;
-        algsurf_status status = solve_member(kernel, p, i, roots + i * (size_t)p->degree, count + i);
-        if (status < 0) count[i] = status;
-        if (first == ALGSURF_OK) first = status;
-    }
-    return first;
-}
-
-algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
-                                           const algsurf_batch_options *options, algsurf_complex_root *roots,
-                                           int *count) {
-    algsurf_complex_batch p;
-    algsurf_batch_options o = {.size = sizeof o};
-    algsurf_status status = algsurf_options_read(&p, sizeof p, batch);
-    if (status == ALGSURF_OK && options) status = algsurf_options_read(&o, sizeof o, options);
-    if (status != ALGSURF_OK) return status;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
-    if (!kernel || p.degree < 1 || p.degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
-    if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
-    ALGSURF_STANDARD(status = o.relative_tolerance == 0
-                                  ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
-                                  : ALGSURF_E_ARGUMENT);
+    if (!c || !roots || !count) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status == ALGSURF_OK) ALGSURF_STANDARD(status = solve_real(fastest(), c, r, degree, roots, count));
     return status;
 }

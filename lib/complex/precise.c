@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../poly/degree.h"
 #include "discs.h"
 #include "impl.h"
 
@@ -214,11 +215,11 @@ static algsurf_status create(const algsurf_integer *re, const algsurf_integer *i
 
 algsurf_status algsurf_precise_roots_create(const algsurf_integer *re, const algsurf_integer *im, int degree,
                                             int bits, size_t max_memory, algsurf_precise_roots **roots) {
-    if (!re || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots) return ALGSURF_E_ARGUMENT;
-    if (bits < 1 || bits > ALGSURF_MAX_ROOT_BITS) return ALGSURF_E_ARGUMENT;
+    if (!re || !roots || bits < 1 || bits > ALGSURF_MAX_ROOT_BITS) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status != ALGSURF_OK) return status;
     algsurf_precise_roots *r = new_roots(degree);
     if (!r) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status;
     ALGSURF_STANDARD(status =
                          create(re, im, degree, bits, max_memory ? max_memory : ALGSURF_I_COMPLEX_MEMORY, r));
     if (status != ALGSURF_OK)

@@ -145,7 +145,7 @@ static algsurf_status set_antialias_threshold(algsurf_scene *scene, double thres
 
 SETTER(antialias_threshold, double)
 
-static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
+static algsurf_status set_intersect_options(algsurf_scene *scene, const algsurf_intersect_options *options) {
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
@@ -158,7 +158,7 @@ static algsurf_status set_intersect(algsurf_scene *scene, const algsurf_intersec
     return ALGSURF_OK;
 }
 
-SETTER(intersect, const algsurf_intersect_options *)
+SETTER(intersect_options, const algsurf_intersect_options *)
 
 static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -253,7 +253,7 @@ static algsurf_status give_lighting(const algsurf_scene *scene, algsurf_light li
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_lighting, give_lighting,
+ALGSURF_I_PUBLIC(algsurf_status, scene_get_lighting, give_lighting,
                  (const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                   algsurf_lighting *lighting),
                  (scene, lights, lighting))

@@ -153,7 +153,7 @@ typedef struct manner {
 static algsurf_status set_manner(algsurf_scene *scene, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
-    algsurf_status status = algsurf_scene_set_intersect(scene, &how);
+    algsurf_status status = algsurf_scene_set_intersect_options(scene, &how);
     if (status == ALGSURF_OK) status = algsurf_scene_set_clip(scene, &cut, m->planes);
     if (status == ALGSURF_OK) status = algsurf_scene_set_quality(scene, m->quality);
     if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(scene, m->complex ? &space : NULL);

@@ -27,8 +27,9 @@ static algsurf_status intersect(RANGE a, RANGE b, RANGE *result) {
 }
 
 static algsurf_status enclose(const RANGE *c, int degree, RANGE x, RANGE *result) {
-    if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !OP(valid)(x))
-        return ALGSURF_E_ARGUMENT;
+    if (!c || !result || !OP(valid)(x)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status != ALGSURF_OK) return status;
     for (int i = 0; i <= degree; i++)
         if (!OP(valid)(c[i])) return ALGSURF_E_ARGUMENT;
     RANGE m = OP(point)(OP(mid)(x)), y = c[degree], at_m = y, slope = {0};

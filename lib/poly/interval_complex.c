@@ -13,6 +13,7 @@
  */
 #include "../base/arithmetic.h"
 #include "../base/fpenv.h"
+#include "degree.h"
 #include "interval_impl.h"
 
 /* 0 if a number of that size can be squared and divided at ease, otherwise its binary exponent. */

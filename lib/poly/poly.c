@@ -16,19 +16,19 @@
 #include "algsurf/poly.h"
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "degree.h"
 #include "value.h"
 
 #define RAISE (1.0 + 0x1p-39) /* (1 - u)^-(12 * 512) < 1 + 2^-40, and once more for its own rounding */
 
 static algsurf_status check(const double *c, const double *r, int degree) {
-    for (int i = 0; i <= degree; i++) {
+    algsurf_status status = algsurf_i_check_degree(degree);
+    for (int i = 0; status == ALGSURF_OK && i <= degree; i++) {
         if (!isfinite(c[i]) || (r && !isfinite(r[i]))) return ALGSURF_E_NOT_FINITE;
         if (r && r[i] < 0) return ALGSURF_E_ARGUMENT;
     }
-    return ALGSURF_OK;
+    return status;
 }
-
-static int degree_allowed(int degree) { return degree >= 0 && degree <= ALGSURF_MAX_POLY_DEGREE; }
 
 /* The index of the highest coefficient that is not exactly 0.  Steps above it are exact: counting them would
  * only let the constants for underflow grow with the powers of t. */
@@ -102,25 +102,25 @@ algsurf_i_bounded algsurf_i_compensated(const double *c, const double *r, int de
 
 static algsurf_status eval(const double *c, const double *r, int degree, double t, int compensated,
                            double *value, double *bound) {
-    if (!c || !value || !bound || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
+    if (!c || !value) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(t)) return ALGSURF_E_NOT_FINITE;
     algsurf_i_bounded y =
         compensated ? algsurf_i_compensated(c, r, degree, t) : horner(c, r, highest(c, r, degree), t);
     *value = y.value;
-    *bound = y.bound;
+    if (bound) *bound = y.bound;
     return ALGSURF_OK;
 }
 
 #define PLAIN(c, r, degree, t, value, bound) eval(c, r, degree, t, 0, value, bound)
 #define COMPENSATED(c, r, degree, t, value, bound) eval(c, r, degree, t, 1, value, bound)
-#define PUBLIC_EVAL(name, work)                                                                              \
+#define PUBLIC_VALUE(name, work)                                                                             \
     ALGSURF_I_PUBLIC(algsurf_status, name, work,                                                             \
                      (const double *c, const double *r, int degree, double t, double *value, double *bound), \
                      (c, r, degree, t, value, bound))
-PUBLIC_EVAL(poly_eval, PLAIN)
-PUBLIC_EVAL(poly_eval_compensated, COMPENSATED)
+PUBLIC_VALUE(poly_value, PLAIN)
+PUBLIC_VALUE(poly_value_compensated, COMPENSATED)
 
 /* A Bernstein coefficient on its way, with its error bound. */
 typedef struct {
@@ -142,7 +142,7 @@ static coefficient term(int k, int m, coefficient from, double x) {
  * Underflow in a step: at most six products in two terms: 2^-1071 covers them and the last RAISE. */
 static algsurf_status to_bernstein(const double *c, const double *r, int degree, double lo, double hi,
                                    double *b, double *br) {
-    if (!c || !b || !br || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
+    if (!c || !b) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
@@ -164,7 +164,8 @@ static algsurf_status to_bernstein(const double *c, const double *r, int degree,
         if (top > 0) q[j].e = raised(q[j].e);
         if (!isfinite(q[j].b) || !isfinite(q[j].e)) return ALGSURF_E_RANGE;
     }
-    for (int j = 0; j <= degree; j++) b[j] = q[j].b, br[j] = q[j].e;
+    for (int j = 0; j <= degree; j++) b[j] = q[j].b;
+    for (int j = 0; br && j <= degree; j++) br[j] = q[j].e;
     return ALGSURF_OK;
 }
 

@@ -6,7 +6,8 @@ typedef struct algsurf_i_bounded {
     double value, bound;
 } algsurf_i_bounded;
 
-/* algsurf_poly_eval_compensated for finite c, r (or null) and t, in the library's floating-point environment.
+/* algsurf_poly_value_compensated for finite c, r (or null) and t, in the library's floating-point
+ * environment.
  */
 algsurf_i_bounded algsurf_i_compensated(const double *c, const double *r, int degree, double t);
 

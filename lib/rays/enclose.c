@@ -265,7 +265,9 @@ static outcome find_box(search *s, double precision, cell *box) {
     return FOUND;
 }
 
-static int has_good_part(int part) { return part == ALGSURF_PART_ALL || part == ALGSURF_PART_SINGULAR; }
+static int has_good_part(algsurf_part part) {
+    return part == ALGSURF_PART_ALL || part == ALGSURF_PART_SINGULAR;
+}
 
 /* The extent's box in natural units. */
 static void set_extent(search *s, const algsurf_extent *extent, cell *box) {
@@ -287,7 +289,7 @@ static void set_polynomial(search *s) {
     s->left = MOST_WORK / (3 * places * (n + 1) + CELL_ITSELF);
 }
 
-static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
                               double precision, double lo[3], double hi[3], int *empty) {
     cell box;
     if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
@@ -315,6 +317,6 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
 }
 
 ALGSURF_I_PUBLIC(algsurf_status, surface_enclose, enclose,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, int part, double precision,
-                  double lo[3], double hi[3], int *empty),
+                 (const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
+                  double precision, double lo[3], double hi[3], int *empty),
                  (surface, extent, part, precision, lo, hi, empty))

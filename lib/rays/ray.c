@@ -1,27 +1,33 @@
-/* ray.c - the chord of a ray in an extent; or in a region a little larger, and what of it is certainly inside
- * (planes cut it in planes.c).
+/* ray.c - the chord of a ray in an extent a little larger, and what of it is certainly inside (planes cut it
+ * in planes.c).
  *
- * Sphere.  Let q = origin - centre and t_c = -(q.d)/(d.d), a double near the parameter of the ray's
- * point nearest to the centre.  With X = q + t_c d the ray is X + s d, t = t_c + s, and
+ * Sphere.  Let q = origin - centre and t_c a double near -(q.d)/(d.d), the parameter of the ray's point
+ * nearest to the centre.  With X = q + t_c d the ray is X + s d, t = t_c + s, and
  *     |X + s d|^2 = r^2   <=>   s = (-X.d +- sqrt(D)) / d.d,   D = d.d r^2 - |X x d|^2
- * (Lagrange's identity in place of (X.d)^2 - d.d (|X|^2 - r^2), which would cancel more often).  X is
- * a sum of two error-free terms, so that X.d is a few rounding errors, however far the origin.  D
- * cancels near a tangency; where it loses three bits or more it is computed again in double-double
- * from X as a double-double, which has a relative error of 2^-103: sqrt(D) is then off by less than
- * 2^-50 |X| |d|, and |X| is about r: a few units in the last place of the distance, at the worst.
+ * (Lagrange's identity in place of (X.d)^2 - d.d (|X|^2 - r^2), which would cancel more often).
  *
- * Box: slabs (Kay, Kajiya 1986); (+-h - q)/d with the numerator in double-double, so that an
- * origin near a face costs no digits.
+ * Box: slabs (Kay, Kajiya 1986), (+-h - q)/d.
  *
- * Scaling.  d and the lengths are brought to about 1 by powers of two of their own; lengths are halved
- * first, so that origin - centre cannot overflow.
+ * Margins.  The chord is computed twice: in an extent that is larger by m, more than what rounding can do,
+ * and in one that is smaller by as much.  m is 2^-43 M, M = |origin_i| + |centre_i| + size along the axis, of
+ * a ball the largest; so |q| + r <= 2 M.
  *
- * In a region the chord is computed twice: in an extent that is larger by more than the clip's error, and in
- * one that is smaller by as much.  Then planes cut both (planes.c).
+ * Between two spheres, r' = r + m, a ray is at least m long:
+ *     sqrt(D') - sqrt(D) >= (D' - D) / (|d| (r' + r)),   D' - D = d.d (r' + r) m.
+ * X is off by 6 u |q|: q, the product and the sum round once in each coordinate.  For a line that passes
+ * within 2 r', where |X| <= 2 r', D' is off by
+ *     d.d u (2 |X| (6 |q| + 4 |X|) + 3 |X|^2 + 4 r'^2) <= 100 u d.d r' M < 2^-46 d.d r' M,
+ * an eighth of d.d (r' + r) m: 7/8 m are left.  What rounds in X.d, d.d, the root, the quotient and the last
+ * sum takes 60 u M of that, below m/16.  So the outer chord holds the ray's part in the extent, and points of
+ * it leave that by 9/8 m + 60 u M at most, less than the 2^-42 M that algsurf_ray_clip promises.  No other
+ * line has D' >= 0 as computed: p^2 - r'^2 >= 3/4 p^2 for its distance p, which is above 2 m.  The inner
+ * chord likewise.
  *
- * How much is added, with M = |origin_i| + |centre_i| + size, of a ball the largest.  The extent is larger by
- * 2^-43 M.  The clip is off along the ray by less than 2^-47 of the way to the far side, which is below 2 M:
- * together less than the 2^-42 M that algsurf_region_clip promises.  Of planes, see planes.c.
+ * In a box q and h - q are off by 2 u M together, far below m.  What underflows in t, or in lengths beside 1,
+ * is below the further terms of m.
+ *
+ * Scaling.  d and the lengths are brought to about 1 by powers of two of their own; lengths are halved first,
+ * so that origin - centre cannot overflow.
  *
  * Lengths near the largest double are clipped as a 16th of themselves, and t with them: so an extent can
  * always be larger by its margin.  t then underflows by 2^-1070 at most, which is nothing beside such
@@ -32,7 +38,6 @@
 #include <float.h>
 #include <math.h>
 
-#include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../base/vec.h"
 
@@ -63,52 +68,30 @@ algsurf_status algsurf_i_extent_check(const algsurf_extent *extent) {
     return ALGSURF_OK;
 }
 
-/* a b - c d, with the rounding errors of a and c taken along, to about 2^-104 of the larger product. */
-static algsurf_dd product_difference(algsurf_dd a, double b, algsurf_dd c, double d) {
-    algsurf_dd p = algsurf_two_prod(a.hi, b), q = algsurf_two_prod(c.hi, d), s = algsurf_two_sum(p.hi, -q.hi);
-    return algsurf_fast_two_sum(s.hi, s.lo + ((p.lo - q.lo) + (a.lo * b - c.lo * d)));
-}
-
-/* d.d r^2 - |x cross d|^2 in double-double. */
-static double exact_discriminant(const algsurf_dd x[3], const double d[3], double r) {
-    algsurf_dd sum = algsurf_dd_from(0), r2 = algsurf_two_prod(r, r);
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        algsurf_dd c = product_difference(x[j], d[k], x[k], d[j]);
-        sum = algsurf_dd_add(sum, algsurf_dd_mul(algsurf_two_prod(d[i], d[i]), r2));
-        sum = algsurf_dd_sub(sum, algsurf_dd_mul(c, c));
-    }
-    return sum.hi;
-}
-
 /* The line through q along d and the sphere |X| = r about the origin, all of size about 1. */
-static int line_sphere(const algsurf_dd q[3], const double d[3], double r, double t[2]) {
-    double dd = algsurf_dot(d, d), t_c = -(q[0].hi * d[0] + q[1].hi * d[1] + q[2].hi * d[2]) / dd;
-    algsurf_dd x[3];
-    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(q[i], algsurf_two_prod(t_c, d[i]));
-    double c[3] = {x[1].hi * d[2] - x[2].hi * d[1], x[2].hi * d[0] - x[0].hi * d[2],
-                   x[0].hi * d[1] - x[1].hi * d[0]};
-    double reach = dd * r * r, miss = algsurf_dot(c, c), discriminant = reach - miss;
-    if (fabs(discriminant) < 0.125 * (reach + miss)) discriminant = exact_discriminant(x, d, r);
+static int line_sphere(const double q[3], const double d[3], double r, double t[2]) {
+    double dd = algsurf_dot(d, d), t_c = -algsurf_dot(q, d) / dd, x[3];
+    for (int i = 0; i < 3; i++) x[i] = q[i] + t_c * d[i];
+    double c[3] = {x[1] * d[2] - x[2] * d[1], x[2] * d[0] - x[0] * d[2], x[0] * d[1] - x[1] * d[0]};
+    double discriminant = dd * r * r - algsurf_dot(c, c);
     if (discriminant < 0) return 0;
-    double b = -(x[0].hi * d[0] + x[1].hi * d[1] + x[2].hi * d[2]), root = sqrt(discriminant);
+    double b = -algsurf_dot(x, d), root = sqrt(discriminant);
     t[0] = t_c + (b - root) / dd;
     t[1] = t_c + (b + root) / dd;
     return 1;
 }
 
 static int clip_sphere(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
-    algsurf_dd q[3];
-    double d[3], length = 0.5 * extent->size[0];
+    double q[3], d[3], length = 0.5 * extent->size[0];
     for (int i = 0; i < 3; i++) {
-        q[i] = algsurf_two_sum(0.5 * ray->origin[i], -0.5 * extent->centre[i]);
-        length = fmax(length, fabs(q[i].hi));
+        q[i] = 0.5 * ray->origin[i] - 0.5 * extent->centre[i];
+        length = fmax(length, fabs(q[i]));
     }
     int ed = algsurf_scale_exponent(algsurf_max_abs(ray->direction)), eq = algsurf_scale_exponent(length);
     double scale_d = ldexp(1.0, -ed), scale_q = ldexp(1.0, -eq);
     for (int i = 0; i < 3; i++) {
         d[i] = scale_d * ray->direction[i];
-        q[i] = algsurf_dd_scale(q[i], scale_q);
+        q[i] *= scale_q;
     }
     if (!line_sphere(q, d, scale_q * extent->size[0] * 0.5, ends)) return 0;
     for (int i = 0; i < 2; i++) ends[i] = ldexp(ends[i], eq - ed + 1);
@@ -120,14 +103,12 @@ static int clip_box(const algsurf_extent *extent, const algsurf_ray *ray, double
     ends[1] = INFINITY;
     for (int i = 0; i < 3; i++) {
         double d = ray->direction[i], h = 0.25 * extent->size[i];
-        algsurf_dd q = algsurf_two_sum(0.25 * ray->origin[i], -0.25 * extent->centre[i]);
-        algsurf_dd below = algsurf_dd_neg(algsurf_dd_add_d(q, h)),
-                   above = algsurf_dd_sub(algsurf_dd_from(h), q);
+        double q = 0.25 * ray->origin[i] - 0.25 * extent->centre[i], below = -(q + h), above = h - q;
         if (d == 0) { /* parallel to the faces: inside the slab for ever, or never */
-            if (algsurf_dd_sign(below) > 0 || algsurf_dd_sign(above) < 0) return 0;
+            if (below > 0 || above < 0) return 0;
             continue;
         }
-        double near = (d > 0 ? below : above).hi / d, far = (d > 0 ? above : below).hi / d;
+        double near = (d > 0 ? below : above) / d, far = (d > 0 ? above : below) / d;
         ends[0] = fmax(ends[0], 4.0 * near);
         ends[1] = fmin(ends[1], 4.0 * far);
     }
@@ -143,33 +124,7 @@ static int clip_line(const algsurf_extent *extent, const algsurf_ray *ray, doubl
     return !extent || extent->kind != ALGSURF_EXTENT_BOX || clip_box(extent, ray, ends);
 }
 
-static algsurf_status clip_extent(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
-                                  int *meets) {
-    double ends[2];
-    if (!chord || !meets) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status != ALGSURF_OK) return status;
-    *meets = 0;
-    if (!clip_line(extent, ray, ends)) return ALGSURF_OK;
-    double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
-    double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
-    if (!algsurf_i_has_points(t_min, t_max)) return ALGSURF_OK;
-    *meets = 1;
-    *chord = *ray;
-    chord->t_min = t_min;
-    chord->t_max = t_max;
-    return ALGSURF_OK;
-}
-
-ALGSURF_I_PUBLIC(algsurf_status, extent_clip, clip_extent,
-                 (const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord, int *meets),
-                 (extent, ray, chord, meets))
-
-/* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
- * entered earlier by d / |direction| or more, the sphere's radius and the box's half sizes alike; the clip is
- * off by less than 2^-47 of the distance from the origin to its far side, for a box along each axis by
- * itself, and t by 2^-1074 where it underflows.  d is 2^-43 of that, and more than what underflows. */
+/* By how much to move the extent's surface along an axis, or the sphere's in all. */
 static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int axis) {
     double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? axis : 0];
     double far = fabs(ray->origin[axis]) + fabs(extent->centre[axis]) + size;
@@ -222,8 +177,8 @@ int algsurf_i_region_chord(const algsurf_i_region *region, const algsurf_ray *ra
            algsurf_i_planes_cut(region->planes, region->plane_count, ray, chord);
 }
 
-static algsurf_status clip_region(const algsurf_extent *extent, const algsurf_plane *planes, size_t count,
-                                  const algsurf_ray *ray, algsurf_ray *chord, int *meets) {
+static algsurf_status clip_ray(const algsurf_ray *ray, const algsurf_extent *extent,
+                               const algsurf_plane *planes, size_t count, algsurf_ray *chord, int *meets) {
     const algsurf_i_region region = {extent, planes, count};
     algsurf_i_chord part;
     if (!chord || !meets) return ALGSURF_E_ARGUMENT;
@@ -239,7 +194,7 @@ static algsurf_status clip_region(const algsurf_extent *extent, const algsurf_pl
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, region_clip, clip_region,
-                 (const algsurf_extent *extent, const algsurf_plane *planes, size_t count,
-                  const algsurf_ray *ray, algsurf_ray *chord, int *meets),
-                 (extent, planes, count, ray, chord, meets))
+ALGSURF_I_PUBLIC(algsurf_status, ray_clip, clip_ray,
+                 (const algsurf_ray *ray, const algsurf_extent *extent, const algsurf_plane *planes,
+                  size_t count, algsurf_ray *chord, int *meets),
+                 (ray, extent, planes, count, chord, meets))

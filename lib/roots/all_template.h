@@ -104,35 +104,8 @@ static void solve_all(const algsurf_i_polys_job *job, size_t count) {
         solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->degree);
 }
 
-/* ---- are the numbers of a batch good? ---- */
-
-/* The entries times 0 are 0, so they are finite. */
-INLINE mask finite_entries(const algsurf_i_polys_job *job, size_t at, int count) {
-    words zero = {0}; /* but for signs */
-    for (int k = 0; k <= job->degree; k++) {
-        zero |= (words)(0 * load_table(&job->c, k, at, count));
-        if (job->r.at) zero |= (words)(0 * load_table(&job->r, k, at, count));
-    }
-    return at_most(absolute((lanes)zero), all_lanes(0));
-}
-
-static int good_polys(const algsurf_i_polys_job *job, size_t count) {
-    mask good = ~no_lane();
-    for (size_t at = 0; at < count; at += LANES) {
-        int left = count - at < LANES ? (int)(count - at) : LANES;
-        lanes lo, hi;
-        load_interval(job, at, left, &lo, &hi);
-        good &= less(lo, hi) & at_most(absolute(0 * lo + 0 * hi), all_lanes(0));
-        good &= finite_entries(job, at, left);
-        for (int k = 0; job->r.at && k <= job->degree; k++)
-            good &= at_most(all_lanes(0), load_table(&job->r, k, at, left));
-    }
-    return bits(good) == (1u << LANES) - 1;
-}
-
 const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {.solve = solve_polys,
                                                         .solve_all = solve_all,
-                                                        .good = good_polys,
                                                         .single = KERNEL(algsurf_i_roots_single),
                                                         .settle = settle_roots};
 

@@ -13,7 +13,11 @@
  * times more.  (5n + 1) u S takes in the higher orders.
  *
  * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
- * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
+ * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S.
+ *
+ * Bad numbers.  A coefficient that is not finite makes S infinite or NaN; NaN as an end, or lo >= hi, makes h
+ * NaN, or not positive; an infinite end makes M infinite.  No such lane is sound, nor one with a radius that
+ * is negative or NaN; an infinite radius leaves every sign unknown. */
 #ifndef ALGSURF_CENTRED_TEMPLATE_H
 #define ALGSURF_CENTRED_TEMPLATE_H
 #include "../poly/table_template.h"
@@ -106,13 +110,17 @@ INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred
     for (int k = 0; k <= n; k++) d[k] = load_table(&job->c, k, at, count);
     lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
     lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
+    mask refused = no_lane();
     p->radius = all_lanes(0);
-    for (int k = n; job->r.at && k >= 0; k--)
-        p->radius = p->radius * most + load_table(&job->r, k, at, count);
+    for (int k = n; job->r.at && k >= 0; k--) {
+        lanes r = load_table(&job->r, k, at, count);
+        refused |= ~at_most(all_lanes(0), r);
+        p->radius = p->radius * most + r;
+    }
     mask extreme = ~(within(most, LARGE_END) & within(size, LARGE_SIZE));
     p->sound = ~no_lane();
     if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
-    p->sound &= less(SHORTEST * most, h);
+    p->sound &= less(SHORTEST * most, h) & ~refused;
     p->radius = p->radius * (1 + 0x1p-40) + (6 * n + 10) * 0x1p-53 * size;
     shift_and_scale(d, n, m, h);
 }

@@ -6,12 +6,15 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "../poly/degree.h"
 #include "../poly/value.h"
 #include "line.h"
 #include "exact_walk.h"
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
     int zero = 1, exact = 1;
+    algsurf_status status = algsurf_i_check_degree(p->degree);
+    if (status != ALGSURF_OK) return status;
     for (int k = 0; k <= p->degree; k++) {
         double r = p->r ? p->r[k] : 0;
         if (!isfinite(p->c[k]) || !isfinite(r)) return ALGSURF_E_NOT_FINITE;

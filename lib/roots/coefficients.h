@@ -16,7 +16,7 @@ typedef struct algsurf_i_coefficients {
 } algsurf_i_coefficients;
 
 /* OK, if all are finite, no radius is negative and p is not zero: leading zeros have gone then, and radii
- * that are all 0; E_NOT_FINITE, E_ARGUMENT, or E_ZERO, if there is nothing but zeros. */
+ * that are all 0; E_DEGREE, E_NOT_FINITE, E_ARGUMENT, or E_ZERO, if there is nothing but zeros. */
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p);
 
 /* Doubles in their order: neighbours' numbers differ by 1, and 0 has number 0. */

@@ -1,9 +1,10 @@
-/* first.c - many polynomials: checked, solved side by side, and what stays undecided one by one.
+/* first.c - first or all roots of many polynomials: solved side by side, and what stays undecided one by one;
+ * and the first root of a single one.
  *
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
  * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone (line.c,
- * isolate.c).  So are polynomials in intervals with an infinite end, which the packets find unsound
- * (centred_template.h). */
+ * isolate.c), which also tells why a polynomial is refused.  To packets bad polynomials and intervals are
+ * unsound, like intervals with an infinite end (centred_template.h). */
 #include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
@@ -13,10 +14,11 @@
 
 #include "algsurf/isolate.h"
 #include "../base/fpenv.h"
+#include "../base/options.h"
+#include "../poly/degree.h"
+#include "../poly/table.h"
 #include "line.h"
 #include "polys.h"
-#include "../base/options.h"
-#include "../poly/table.h"
 
 typedef struct query {
     algsurf_real_batch polys;
@@ -25,9 +27,12 @@ typedef struct query {
 } query;
 
 static double begin_of(const algsurf_real_batch *p, size_t i) {
-    return p->lo[(ptrdiff_t)i * p->interval_step];
+    return p->lo ? p->lo[(ptrdiff_t)i * p->interval_step] : -HUGE_VAL;
 }
-static double end_of(const algsurf_real_batch *p, size_t i) { return p->hi[(ptrdiff_t)i * p->interval_step]; }
+
+static double end_of(const algsurf_real_batch *p, size_t i) {
+    return p->hi ? p->hi[(ptrdiff_t)i * p->interval_step] : HUGE_VAL;
+}
 
 /* c, r: room for the coefficients and, if there are any, radii. */
 static algsurf_i_coefficients read_one(const algsurf_real_batch *p, size_t i, double *c, double *r) {
@@ -36,48 +41,34 @@ static algsurf_i_coefficients read_one(const algsurf_real_batch *p, size_t i, do
     return (algsurf_i_coefficients){c, p->radii.at ? r : NULL, p->degree};
 }
 
-static algsurf_status check_one(const algsurf_real_batch *polys, size_t i) {
-    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
-    algsurf_i_coefficients p = read_one(polys, i, c, r);
-    if (!(begin_of(polys, i) < end_of(polys, i))) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_check_coefficients(&p);
-    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
-}
-
-static algsurf_status check_shape(const algsurf_real_batch *p) {
-    if (p->degree < 0 || p->degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
-    return p->count > 0 && !(p->coefficients.at && p->lo && p->hi) ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-}
-
 static algsurf_status read_batch(query *q, const algsurf_real_batch *batch,
                                  const algsurf_batch_options *options) {
     q->options = (algsurf_batch_options){.size = sizeof q->options};
     algsurf_status status = algsurf_options_read(&q->polys, sizeof q->polys, batch);
     if (status == ALGSURF_OK && options)
         status = algsurf_options_read(&q->options, sizeof q->options, options);
+    if (status == ALGSURF_OK) status = algsurf_i_check_degree(q->polys.degree);
     if (status != ALGSURF_OK) return status;
     if (!(q->options.relative_tolerance >= 0 && q->options.relative_tolerance < 1)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
-    if (!kernel) return ALGSURF_E_ARGUMENT;
+    if (!kernel || (q->polys.count > 0 && !q->polys.coefficients.at)) return ALGSURF_E_ARGUMENT;
     q->kernel = algsurf_i_roots_kernel_for(kernel);
-    return check_shape(&q->polys);
+    return ALGSURF_OK;
 }
 
-/* lo, unless it is infinite. */
-static double finite_point(double lo, double hi) { return isfinite(lo) ? lo : isfinite(hi) ? hi : 0; }
-
-/* The middle of a place that is finite. */
+/* The middle of a place; of an infinite one an end that is finite, or 0. */
 static double point_of(const algsurf_bracket *b) {
-    int finite = isfinite(b->lo) && isfinite(b->hi);
-    return finite ? 0.5 * b->lo + 0.5 * b->hi : finite_point(b->lo, b->hi);
+    if (isfinite(b->lo) && isfinite(b->hi)) return 0.5 * b->lo + 0.5 * b->hi;
+    return isfinite(b->lo) ? b->lo : isfinite(b->hi) ? b->hi : 0;
 }
 
-/* Roots of one exact polynomial: OK, E_ZERO or E_NO_MEMORY. */
+/* Roots of one exact polynomial. */
 static ALGSURF_NOINLINE algsurf_status find_alone(const algsurf_real_batch *polys, size_t i, int wanted,
                                                   algsurf_real_root *roots, int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
     algsurf_i_line line = {.lo = begin_of(polys, i), .hi = end_of(polys, i), .wanted = wanted, .refined = 1};
     line.p = read_one(polys, i, c, NULL);
+    if (!(line.lo <= line.hi)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_check_coefficients(&line.p);
     return status == ALGSURF_OK ? algsurf_i_line_solve(&line, roots, count) : status;
 }
@@ -111,83 +102,94 @@ static ALGSURF_NOINLINE algsurf_status solve_set(const algsurf_real_batch *polys
     return status;
 }
 
-/* One polynomial alone: OK or E_NO_MEMORY, and then it stays undecided. */
+/* One polynomial alone. */
 static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
     double where = HUGE_VAL;
     int found = 0;
     algsurf_status status = (polys->radii.at ? solve_set : solve_exact)(polys, i, &found, &where);
-    state[i] = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED
-               : found              ? ALGSURF_FIRST_ROOT_FOUND
-                                    : ALGSURF_FIRST_ROOT_NONE;
-    if (status == ALGSURF_E_ZERO) where = finite_point(begin_of(polys, i), end_of(polys, i));
+    state[i] = status > 0 || status == ALGSURF_E_NO_MEMORY ? ALGSURF_FIRST_ROOT_UNDECIDED
+               : status < 0                                ? ALGSURF_FIRST_ROOT_REFUSED
+               : found                                     ? ALGSURF_FIRST_ROOT_FOUND
+                                                           : ALGSURF_FIRST_ROOT_NONE;
     if (root) root[i] = where;
-    return status == ALGSURF_E_NO_MEMORY ? status : ALGSURF_OK;
+    return status < 0 ? status : ALGSURF_OK;
 }
 
-/* A job without answers for a batch, if all are good. */
-static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
+/* A job without answers. */
+static algsurf_i_polys_job job_of(const query *q) {
     const algsurf_real_batch *p = &q->polys;
-    *job = (algsurf_i_polys_job){.c = p->coefficients,
+    return (algsurf_i_polys_job){.c = p->coefficients,
                                  .r = p->radii,
                                  .lo = p->lo,
                                  .hi = p->hi,
                                  .interval = p->interval_step,
                                  .degree = p->degree,
                                  .tolerance = q->options.relative_tolerance};
-    algsurf_status status = ALGSURF_OK;
-    if (!q->kernel->good(job, p->count))
-        for (size_t i = 0; i < p->count && status == ALGSURF_OK; i++) status = check_one(p, i);
-    return status;
 }
 
-static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
+static int has_kernel(const algsurf_real_batch *p) {
+    return p->degree >= 1 && p->degree <= ALGSURF_MAX_POLYS_DEGREE && p->lo && p->hi;
+}
 
 static algsurf_status first_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
                                   unsigned char *state, double *root) {
     query q;
-    algsurf_i_polys_job job;
-    algsurf_status status = read_batch(&q, batch, options);
+    algsurf_status first = read_batch(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
-    if (status != ALGSURF_OK || p->count == 0) return status;
+    if (first != ALGSURF_OK || p->count == 0) return first;
     if (!state) return ALGSURF_E_ARGUMENT;
-    if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
+    algsurf_i_polys_job job = job_of(&q);
     job.state = state;
     job.root = root;
-    if (has_kernel(p->degree)) {
+    if (has_kernel(p)) {
         if (!q.kernel->solve(&job, p->count)) return ALGSURF_OK;
     } else {
         memset(state, ALGSURF_LANE_UNDECIDED, p->count);
     }
     const unsigned char *undecided = state, *end = state + p->count;
     while ((undecided = memchr(undecided, ALGSURF_LANE_UNDECIDED, (size_t)(end - undecided)))) {
-        algsurf_status alone = solve_alone(p, (size_t)(undecided - state), state, root);
-        if (alone != ALGSURF_OK) status = alone;
+        algsurf_status status = solve_alone(p, (size_t)(undecided - state), state, root);
+        if (first == ALGSURF_OK) first = status;
         undecided++;
     }
-    return status;
+    return first;
 }
 
 static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
                                 algsurf_real_root *roots, int *count) {
     query q;
-    algsurf_i_polys_job job;
-    algsurf_status status = read_batch(&q, batch, options);
+    algsurf_status first = read_batch(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
-    if (status != ALGSURF_OK || p->count == 0) return status;
+    if (first != ALGSURF_OK || p->count == 0) return first;
     if (!roots || !count || p->radii.at || q.options.relative_tolerance != 0) return ALGSURF_E_ARGUMENT;
-    if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
+    algsurf_i_polys_job job = job_of(&q);
     job.roots = roots;
     job.found = count;
-    if (has_kernel(p->degree)) q.kernel->solve_all(&job, p->count);
+    if (has_kernel(p)) q.kernel->solve_all(&job, p->count);
     for (size_t i = 0; i < p->count; i++) {
-        if (has_kernel(p->degree) && count[i] >= 0) continue;
+        if (has_kernel(p) && count[i] >= 0) continue;
         int room = p->degree > 0 ? p->degree : 1, found = 0;
-        algsurf_status alone = find_alone(p, i, ALGSURF_I_ALL, roots + i * (size_t)room, &found);
-        count[i] = alone == ALGSURF_OK ? found : (int)alone;
-        if (status == ALGSURF_OK) status = alone;
+        algsurf_status status = find_alone(p, i, ALGSURF_I_ALL, roots + i * (size_t)room, &found);
+        count[i] = status == ALGSURF_OK ? found : (int)status;
+        if (first == ALGSURF_OK) first = status;
     }
-    return status;
+    return first;
+}
+
+/* The batch of one. */
+static algsurf_status first_root(const double *c, int degree, double lo, double hi, double *root,
+                                 int *found) {
+    const algsurf_real_batch one = {
+        .size = sizeof one, .count = 1, .degree = degree, .coefficients = {c, 1, 0}, .lo = &lo, .hi = &hi};
+    unsigned char state;
+    double where;
+    if (!root || !found) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = first_roots(&one, NULL, &state, &where);
+    if (status != ALGSURF_OK) return status;
+    *found = state == ALGSURF_FIRST_ROOT_FOUND;
+    if (*found) *root = where;
+    return ALGSURF_OK;
 }
 
 ALGSURF_I_PUBLIC(algsurf_status, first_roots_batch, first_roots,
@@ -198,3 +200,6 @@ ALGSURF_I_PUBLIC(algsurf_status, real_roots_batch, all_roots,
                  (const algsurf_real_batch *batch, const algsurf_batch_options *options,
                   algsurf_real_root *roots, int *count),
                  (batch, options, roots, count))
+ALGSURF_I_PUBLIC(algsurf_status, real_root_first, first_root,
+                 (const double *c, int degree, double lo, double hi, double *root, int *found),
+                 (c, degree, lo, hi, root, found))

@@ -13,17 +13,17 @@
 #include "../base/fpenv.h"
 #include "../base/integer.h"
 #include "../base/options.h"
+#include "../poly/degree.h"
 #include "line.h"
 
-static int has_shape(const algsurf_i_line *line) {
-    return (line->p.c || line->z) && line->p.degree >= 0 && line->p.degree <= ALGSURF_MAX_POLY_DEGREE &&
-           line->lo <= line->hi;
-}
+static int has_shape(const algsurf_i_line *line) { return (line->p.c || line->z) && line->lo <= line->hi; }
 
 /* ---- refined ---- */
 
 static algsurf_status check_integers(const algsurf_integer *z, int degree) {
     int zero = 1;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status != ALGSURF_OK) return status;
     for (int k = 0; k <= degree; k++) {
         if (z[k].length < -ALGSURF_MAX_LIMBS || z[k].length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
         if (z[k].length && !z[k].limbs) return ALGSURF_E_ARGUMENT;

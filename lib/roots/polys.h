@@ -5,8 +5,7 @@
 #include <stdint.h>
 
 #include "../simd/kernel.h"
-#include "algsurf/isolate.h"
-#include "algsurf/poly.h"
+#include "algsurf/batch.h"
 #include "coefficients.h"
 #include "watch.h"
 
@@ -41,8 +40,6 @@ typedef struct algsurf_i_roots_kernel {
     int (*solve)(const algsurf_i_polys_job *job, size_t count);
     /* roots and found of the first `count` polynomials, which have no radii. */
     void (*solve_all)(const algsurf_i_polys_job *job, size_t count);
-    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; the answers are not touched. */
-    int (*good)(const algsurf_i_polys_job *job, size_t count);
     algsurf_i_roots_single *single;
     /* Roots of p, each simple and alone in (lo,hi), with the sign before it, become final; multiplicity 0:
      * one that stays.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */

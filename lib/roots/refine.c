@@ -316,7 +316,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, d
 
 algsurf_status algsurf_refine_poly(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_refine_options *options, algsurf_refined_root *result) {
-    if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
+    if (!c || !result) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     const algsurf_i_coefficients set = {c, r, degree};

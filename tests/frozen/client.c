@@ -267,7 +267,7 @@ static void check_colours(const algsurf_surface *s) {
     CHECK(algsurf_scene_set_material(scene, at_edge(&grey, sizeof grey)) == ALGSURF_OK);
     CHECK(algsurf_scene_set_lights(scene, NULL, 0) == ALGSURF_OK);
     algsurf_lighting *of = at_edge(&found, sizeof found);
-    CHECK(algsurf_scene_lighting(scene, lights, of) == ALGSURF_OK);
+    CHECK(algsurf_scene_get_lighting(scene, lights, of) == ALGSURF_OK);
     CHECK(of->light_count == 0 && of->bounded == 1 && near(of->radius, sqrt(12)) && of->centre[0] == 0);
     BLANK(algsurf_lighting, lighting);
     lighting.material = at_edge(&grey, sizeof grey), lighting.lights = NULL, lighting.light_count = 0;

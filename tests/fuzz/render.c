@@ -63,7 +63,7 @@ static algsurf_status draw(const view *v, const char *kernel, picture *p) {
                                     .way = p->ways};
     memset(p, 0x5a, sizeof *p);
     p->stats.size = sizeof p->stats;
-    fuzz_check(algsurf_scene_set_intersect(v->scene, &how) == ALGSURF_OK);
+    fuzz_check(algsurf_scene_set_intersect_options(v->scene, &how) == ALGSURF_OK);
     algsurf_status status = algsurf_render(v->scene, &o, &planes, &p->stats);
     fuzz_check(status == ALGSURF_OK || status == ALGSURF_E_NOT_FINITE);
     return status;

@@ -6,7 +6,7 @@
  */
 #include <string.h>
 
-#include "algsurf/allroots.h"
+#include "algsurf/batch.h"
 #include "algsurf/intersect.h"
 #include "allroots_case.h"
 #include "exact_winding.h"

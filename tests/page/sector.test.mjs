@@ -19,9 +19,10 @@ async function plane({ page }) {
 
 async function drag(visit, handle, dx, dy) {
     const { page } = visit;
-    await visit.settled(); /* complex space, once on, moves what is below it */
-    const { x, y, width, height } = await page.locator(".wedge-grip").nth(handle).boundingBox();
-    await page.mouse.move(x + width / 2, y + height / 2);
+    await visit.settled();
+    const grip = page.locator(".wedge-grip").nth(handle);
+    await grip.hover(); /* waits for it to stay in its place: complex space, once on, moves what is below it */
+    const { x, y, width, height } = await grip.boundingBox();
     await page.mouse.down();
     await page.mouse.move(x + width / 2 + dx, y + height / 2 + dy, { steps: 5 });
     await page.mouse.up();

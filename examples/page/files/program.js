@@ -155,7 +155,7 @@ export function programOf(state, { width, height, quality = "standard", antialia
         "    /* colours and light */",
         "    algsurf_light usual[ALGSURF_MAX_LIGHTS];",
         "    algsurf_lighting lighting = {.size = sizeof lighting};",
-        "    check(algsurf_scene_lighting(scene, usual, &lighting));",
+        "    check(algsurf_scene_get_lighting(scene, usual, &lighting));",
         "    algsurf_material material = *lighting.material;",
         ...(isInOwnColours(state) ? [] : sideLines(state.colours)),
         "    check(algsurf_scene_set_material(scene, &material));",

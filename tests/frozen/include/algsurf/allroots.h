@@ -34,17 +34,6 @@ ALGSURF_API int algsurf_precise_roots_count(const algsurf_precise_roots *roots);
 ALGSURF_API algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots *roots, int i,
                                                      algsurf_precise_root *root);
 ALGSURF_API void algsurf_precise_roots_free(algsurf_precise_roots *roots);
-typedef struct algsurf_complex_batch {
-    size_t size;
-    size_t count;
-    int degree;
-    algsurf_table re;
-    algsurf_table im;
-    algsurf_table radii;
-} algsurf_complex_batch;
-ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
-                                                       const algsurf_batch_options *options,
-                                                       algsurf_complex_root *roots, int *count);
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 typedef struct algsurf_complex_solver_stats {
     size_t size;

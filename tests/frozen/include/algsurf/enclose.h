@@ -10,8 +10,8 @@ typedef enum algsurf_part {
     ALGSURF_PART_SINGULAR = 1
 } algsurf_part;
 ALGSURF_API algsurf_status algsurf_surface_enclose(const algsurf_surface *surface,
-                                                   const algsurf_extent *extent, int part, double precision,
-                                                   double lo[3], double hi[3], int *empty);
+                                                   const algsurf_extent *extent, algsurf_part part,
+                                                   double precision, double lo[3], double hi[3], int *empty);
 #ifdef __cplusplus
 }
 #endif

@@ -14,6 +14,8 @@ typedef struct algsurf_real_root {
 } algsurf_real_root;
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
+ALGSURF_API algsurf_status algsurf_real_root_first(const double *c, int degree, double lo, double hi,
+                                                   double *root, int *found);
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);

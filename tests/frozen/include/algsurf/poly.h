@@ -11,9 +11,9 @@ typedef struct algsurf_integer {
     int length;
 } algsurf_integer;
 #define ALGSURF_MAX_LIMBS 16384
-ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
+ALGSURF_API algsurf_status algsurf_poly_value(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
-ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
+ALGSURF_API algsurf_status algsurf_poly_value_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);
 ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
                                                      double hi, double *b, double *br);
@@ -21,11 +21,6 @@ typedef struct algsurf_table {
     const double *at;
     ptrdiff_t power, polynomial;
 } algsurf_table;
-typedef struct algsurf_batch_options {
-    size_t size;
-    const char *kernel;
-    double relative_tolerance;
-} algsurf_batch_options;
 #ifdef __cplusplus
 }
 #endif

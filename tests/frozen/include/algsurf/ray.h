@@ -25,11 +25,9 @@ typedef struct algsurf_plane {
     double normal[3];
     double offset;
 } algsurf_plane;
-ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray,
-                                               algsurf_ray *chord, int *meets);
-ALGSURF_API algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_plane *planes,
-                                               size_t count, const algsurf_ray *ray, algsurf_ray *chord,
-                                               int *meets);
+ALGSURF_API algsurf_status algsurf_ray_clip(const algsurf_ray *ray, const algsurf_extent *extent,
+                                            const algsurf_plane *planes, size_t count, algsurf_ray *chord,
+                                            int *meets);
 #ifdef __cplusplus
 }
 #endif

@@ -26,13 +26,13 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
                                                     int count);
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
-ALGSURF_API algsurf_status algsurf_scene_lighting(const algsurf_scene *scene,
+ALGSURF_API algsurf_status algsurf_scene_get_lighting(const algsurf_scene *scene,
                                                   algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                                   algsurf_lighting *lighting);
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
-ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
+ALGSURF_API algsurf_status algsurf_scene_set_intersect_options(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 ALGSURF_API algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes,
                                                   size_t count);

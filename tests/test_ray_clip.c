@@ -1,4 +1,4 @@
-/* test_region.c - algsurf_region_clip against rational arithmetic: no point of the ray in the extent, on the
+/* test_ray_clip.c - algsurf_ray_clip against rational arithmetic: no point of the ray in the extent, on the
  * kept side of all planes, is off the chord, and the chord is hardly longer than it has to be.
  *
  * The exact part is an interval, bounded by planes and faces at rational t; where the line enters and leaves
@@ -8,12 +8,16 @@
  *   extents of the largest sizes without a margin                                  nothing_is_lost
  *   no margin about the extent; planes at their rounded t                          nothing_is_lost
  *   2.5 times the margin; a hundred times the error of a plane: chords too long    nothing_is_lost
+ *   directions not scaled                                                          nothing_is_lost
  *   a ray along a plane, and without an end, kept wherever it is                   along_a_plane
+ *   the ray's own ends moved                                                       ends_are_kept
  *   the chord written although nothing is left                                     arguments
  */
-#include "ray_case.h"
+#include "algsurf/ray.h"
+#include "exact.h"
+#include "unit.h"
 
-enum { ROUNDS = 20000 };
+enum { ROUNDS = 30000 };
 
 typedef struct region_case {
     algsurf_extent extent;
@@ -234,6 +238,52 @@ static void make_large(region_case *c, uint64_t *seed) {
     c->count = 0;
 }
 
+/* From so far away that doubles there are farther apart than the extent is long; the line goes through 0. */
+static void make_far(region_case *c, uint64_t *seed) {
+    int e = 20 + exact_random_int(seed, 60);
+    for (int i = 0; i < 3; i++) c->ray.origin[i] = -ldexp(c->ray.direction[i], e);
+}
+
+/* Past the centre of the ball at 1 - 2^-k or 1 + 2^-k radii. */
+static void make_grazing(region_case *c, uint64_t *seed) {
+    algsurf_extent *e = &c->extent;
+    double side[3], along = 0, norm = 0, square = 0, gap = ldexp(1, -1 - exact_random_int(seed, 50));
+    if (exact_random_int(seed, 3) == 0) gap = -gap;
+    e->kind = ALGSURF_EXTENT_SPHERE;
+    for (int i = 0; i < 3; i++) {
+        side[i] = exact_random_unit(seed);
+        along += side[i] * c->ray.direction[i], norm += c->ray.direction[i] * c->ray.direction[i];
+    }
+    for (int i = 0; i < 3; i++) side[i] -= along / norm * c->ray.direction[i], square += side[i] * side[i];
+    double back = pow(10, exact_random_int(seed, 4));
+    for (int i = 0; i < 3; i++)
+        c->ray.origin[i] =
+            e->centre[i] + e->size[0] * (1 - gap) / sqrt(square) * side[i] - back * c->ray.direction[i];
+    c->ray.t_min = -INFINITY, c->ray.t_max = INFINITY;
+}
+
+/* In other units of length, and of t. */
+static void make_scaled(region_case *c, uint64_t *seed) {
+    int length = exact_random_int(seed, 500) - 250, speed = exact_random_int(seed, 1200) - 600;
+    for (int i = 0; i < 3; i++) {
+        c->extent.centre[i] = ldexp(c->extent.centre[i], length);
+        c->extent.size[i] = ldexp(c->extent.size[i], length);
+        c->ray.origin[i] = ldexp(c->ray.origin[i], length);
+        c->ray.direction[i] = ldexp(c->ray.direction[i], speed);
+    }
+    for (size_t k = 0; k < c->count; k++) c->planes[k].offset = ldexp(c->planes[k].offset, length);
+    c->ray.t_min = ldexp(c->ray.t_min, length - speed), c->ray.t_max = ldexp(c->ray.t_max, length - speed);
+}
+
+static void print_case(const algsurf_extent *e, const algsurf_ray *r, const double *got) {
+    fprintf(stderr, "kind %d\n", (int)e->kind);
+    exact_print_doubles("centre", e->centre, 3);
+    exact_print_doubles("size", e->size, 3);
+    exact_print_doubles("origin", r->origin, 3);
+    exact_print_doubles("direction", r->direction, 3);
+    exact_print_doubles("ends", got, 2);
+}
+
 static void fail_case(const region_case *c, int round, const algsurf_ray *chord, const char *why) {
     const double ends[2] = {chord->t_min, chord->t_max}, given[2] = {c->ray.t_min, c->ray.t_max};
     print_case(&c->extent, &c->ray, ends);
@@ -245,9 +295,9 @@ static void fail_case(const region_case *c, int round, const algsurf_ray *chord,
     fail_msg("round %d: %s", round, why);
 }
 
-static int region_clip(const region_case *c, size_t count, algsurf_ray *chord) {
+static int clip(const region_case *c, size_t count, algsurf_ray *chord) {
     int meets = -1;
-    assert_ok(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets));
+    assert_ok(algsurf_ray_clip(&c->ray, &c->extent, c->planes, count, chord, &meets));
     return meets;
 }
 
@@ -263,7 +313,7 @@ static const char *verdict(const region_case *c, const part *p, mpq_t *q, int me
         if (isinf(ends[end])) continue;
         if (c->extent.kind != ALGSURF_EXTENT_ALL && !is_near_extent(c, ends[end])) return "far outside";
     }
-    (void)region_clip(c, 0, &whole);
+    (void)clip(c, 0, &whole);
     double far = fmax(fabs(whole.t_min), fabs(whole.t_max));
     for (size_t k = 0; k < c->count && isfinite(far); k++)
         for (int end = 0; end < 2; end++)
@@ -282,11 +332,14 @@ TEST(nothing_is_lost) {
         part p;
         set_case(&c, &seed);
         if (round % 8 == 0) make_large(&c, &seed);
+        if (round % 8 == 1) make_far(&c, &seed);
+        if (round % 8 < 4 && round % 8 > 1) make_grazing(&c, &seed);
+        if (round % 8 == 3 || round % 8 == 4) make_scaled(&c, &seed);
         int ball = c.extent.kind == ALGSURF_EXTENT_SPHERE;
         if (ball) ball_of(q, &c);
         part_of(&p, &c);
         chord = c.ray;
-        int meets = region_clip(&c, c.count, &chord);
+        int meets = clip(&c, c.count, &chord);
         const char *wrong = verdict(&c, &p, ball ? q : NULL, meets, &chord);
         if (wrong) fail_case(&c, round, &chord, wrong);
         met += meets, missed += !meets;
@@ -304,38 +357,117 @@ TEST(along_a_plane) {
     const algsurf_plane kept = {{3, 0, -1}, 0.5}, lost = {{3, 0, -1}, -0.5}, in = {{3, 0, -1}, 0};
     algsurf_ray chord;
     int meets;
-    assert_ok(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets));
+    assert_ok(algsurf_ray_clip(&ray, NULL, &kept, 1, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(chord.t_min == -INFINITY && chord.t_max == INFINITY);
-    assert_ok(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets));
+    assert_ok(algsurf_ray_clip(&ray, NULL, &lost, 1, &chord, &meets));
     assert_int_equal(meets, 0);
-    assert_ok(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets));
+    assert_ok(algsurf_ray_clip(&ray, NULL, &in, 1, &chord, &meets));
     assert_int_equal(meets, 1);
 }
 
+/* Touching is meeting: along a face, an edge, at a corner, at an end of the ray. */
+TEST(borders_belong) {
+    static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {1, 2, 3}, {0.5, 0.25, 0.125}},
+                                ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
+    static const struct {
+        const algsurf_extent *extent;
+        algsurf_ray ray;
+        double lo, hi;
+    } touching[] = {{&box, {{1.5, 2, 3}, {1, 0, 0}, 0, INFINITY}, 0, 0},
+                    {&box, {{1.5, 2, 3}, {-2, 0, 0}, 0, INFINITY}, 0, 0.5},
+                    {&box, {{1.5, 2, 0}, {-0.0, 0.0, 1}, 0, INFINITY}, 2.875, 3.125},
+                    {&box, {{1.5, 2.25, 0}, {0, 0, -1}, -INFINITY, INFINITY}, -3.125, -2.875},
+                    {&box, {{0, 1, 2}, {0.5, 1.25, 1.125}, 0, INFINITY}, 1, 1},
+                    {&ball, {{-4, 0, 0}, {1, 0, 0}, 0, 3}, 3, 3},
+                    {&ball, {{-4, 0, 0}, {1, 0, 0}, 5, INFINITY}, 5, 5},
+                    {&ball, {{-4, 1, 0}, {1, 0, 0}, 0, INFINITY}, 4, 4},
+                    {&ball, {{1e300, 0, 0}, {-1, 0, 0}, 0, INFINITY}, 1e300, 1e300}};
+    for (size_t i = 0; i < sizeof touching / sizeof *touching; i++) {
+        algsurf_ray chord;
+        int meets = 0;
+        assert_ok(algsurf_ray_clip(&touching[i].ray, touching[i].extent, NULL, 0, &chord, &meets));
+        assert_int_equal(meets, 1);
+        assert_true(chord.t_min <= touching[i].lo && touching[i].hi <= chord.t_max);
+    }
+}
+
+/* Bit for bit, where they are the tighter ones; without points there is no chord. */
+TEST(ends_are_kept) {
+    static const algsurf_extent extents[] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}},
+                                             {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}},
+                                             {ALGSURF_EXTENT_ALL, {NAN, 0, 0}, {0, 0, 0}}};
+    static const algsurf_plane plane = {{1, 0, 0}, 2};
+    for (int k = 0; k < 4; k++) {
+        const algsurf_extent *e = k < 3 ? extents + k : NULL;
+        algsurf_ray chord, r = {{-4, 0, 0}, {1, 0, 0}, 3 + 1.0 / 3, 4 + 1.0 / 3};
+        int meets = 0;
+        assert_ok(algsurf_ray_clip(&r, e, &plane, 1, &chord, &meets));
+        assert_int_equal(meets, 1);
+        assert_memory_equal(&chord, &r, sizeof r);
+        r.t_min = 4.5, r.t_max = 4;
+        assert_ok(algsurf_ray_clip(&r, e, &plane, 1, &chord, &meets));
+        assert_int_equal(meets, 0);
+        r.t_min = 5.001, r.t_max = INFINITY;
+        assert_ok(algsurf_ray_clip(&r, e, NULL, 0, &chord, &meets));
+        assert_int_equal(meets, k > 1);
+    }
+}
+
+static void refuse(const algsurf_extent *e, const algsurf_ray *r, const algsurf_plane *planes, size_t count,
+                   algsurf_status expected) {
+    algsurf_ray chord, before;
+    int meets = 77;
+    memset(&chord, 0x5a, sizeof chord);
+    memset(&before, 0x5a, sizeof before);
+    assert_int_equal(algsurf_ray_clip(r, e, planes, count, &chord, &meets), expected);
+    assert_int_equal(meets, 77);
+    assert_memory_equal(&chord, &before, sizeof chord);
+}
+
+TEST(bad_numbers) {
+    static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
+    static const algsurf_ray ray = {{-4, 0, 0}, {1, 0, 0}, 0, 10};
+    static const algsurf_plane plane = {{1, 0, 0}, 0.5};
+    const double bad[3] = {NAN, INFINITY, -INFINITY};
+    algsurf_extent e = box;
+    algsurf_ray r = ray;
+    algsurf_plane p = plane;
+    for (int k = 0; k < 9; k++) {
+        int i = k % 3;
+        r = ray, r.origin[i] = bad[k / 3], refuse(&box, &r, NULL, 0, ALGSURF_E_NOT_FINITE);
+        r = ray, r.direction[i] = bad[k / 3], refuse(&box, &r, NULL, 0, ALGSURF_E_NOT_FINITE);
+        e = box, e.centre[i] = bad[k / 3], refuse(&e, &ray, NULL, 0, ALGSURF_E_NOT_FINITE);
+        e = box, e.size[i] = bad[k / 3], refuse(&e, &ray, NULL, 0, ALGSURF_E_NOT_FINITE);
+        p = plane, p.normal[i] = bad[k / 3], refuse(&box, &ray, &p, 1, ALGSURF_E_NOT_FINITE);
+        p = plane, p.offset = bad[k / 3], refuse(&box, &ray, &p, 1, ALGSURF_E_NOT_FINITE);
+        e = box, e.size[i] = k < 3 ? 0 : -1, refuse(&e, &ray, NULL, 0, ALGSURF_E_ARGUMENT);
+    }
+    r = ray, r.t_min = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
+    r = ray, r.t_max = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
+    r = ray, r.direction[0] = -0.0, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
+    e = box, e.kind = 3, refuse(&e, &ray, NULL, 0, ALGSURF_E_ARGUMENT);
+    e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0, 1, 1}};
+    refuse(&e, &ray, NULL, 0, ALGSURF_E_ARGUMENT);
+    p = plane, p.normal[0] = 0, refuse(&box, &ray, &p, 1, ALGSURF_E_ARGUMENT);
+    refuse(&box, NULL, NULL, 0, ALGSURF_E_ARGUMENT);
+    refuse(&box, &ray, NULL, 1, ALGSURF_E_ARGUMENT);
+    refuse(&box, &ray, &plane, ALGSURF_MAX_CLIP_PLANES + 1, ALGSURF_E_ARGUMENT);
+}
+
 TEST(arguments) {
-    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}},
-                         bad = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 0, 1}};
-    const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, 9}, no_ray = {{0, 0, 0}, {0, 0, 0}, 0, 1};
-    const algsurf_plane plane = {{1, 0, 0}, 0.5}, far = {{1, 0, 0}, -2}, none = {{0, 0, 0}, 1},
-                        infinite = {{1, 0, 0}, INFINITY};
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
+    const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, 9};
+    const algsurf_plane plane = {{1, 0, 0}, 0.5}, far = {{1, 0, 0}, -2};
     algsurf_ray same = ray, before = ray;
     int meets = -1;
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, &same, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, NULL, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, NULL, &same, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &no_ray, &same, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&bad, &plane, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, NULL, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, &none, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_region_clip(&ball, &infinite, 1, &ray, &same, &meets), ALGSURF_E_NOT_FINITE);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, ALGSURF_MAX_CLIP_PLANES + 1, &ray, &same, &meets),
-                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_ray_clip(&ray, &ball, &plane, 1, &same, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_ray_clip(&ray, &ball, &plane, 1, NULL, &meets), ALGSURF_E_ARGUMENT);
     assert_int_equal(meets, -1);
-    assert_ok(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets));
+    assert_ok(algsurf_ray_clip(&same, &ball, &far, 1, &same, &meets));
     assert_int_equal(meets, 0);
     assert_memory_equal(&same, &before, sizeof same);
-    assert_ok(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets));
+    assert_ok(algsurf_ray_clip(&same, &ball, &plane, 1, &same, &meets));
     assert_int_equal(meets, 1);
     assert_true(same.t_min <= 1 && same.t_min > 1 - 1e-11 && same.t_max >= 2.5 && same.t_max < 2.5 + 1e-13);
     assert_memory_equal(same.origin, before.origin, sizeof same.origin + sizeof same.direction);
