@@ -7,7 +7,8 @@
  *
  * Breaks caught, each tried: a start of unknown sign taken for one of the wanted sign without regard to the
  * slope; one variation of signs behind it taken for a root; roots of the wrong side that end the search; a
- * miss's side from the begin of the chord.
+ * miss's side from the begin of the chord; in company, the signs of a start of unknown sign counted again as
+ * if it were known, because another ray of the packet enters a cell.
  *
  *     test_sides [rounds [seed]]     default: 1 and 77
  */
@@ -83,6 +84,36 @@ static int is_decided(const algsurf_extent *extent, int side) {
     return hit.state != ALGSURF_STATE_UNDECIDED;
 }
 
+/* Rays in company, for hits of that side, as each alone. */
+static void judge_company(const algsurf_extent *extent, const algsurf_ray *rays, int count, int side) {
+    enum { MOST = 64 };
+    const algsurf_intersect_options how = {.size = sizeof how, .side = side};
+    double o[3][MOST], d[3][MOST], t_min[MOST], t_max[MOST], t[MOST];
+    unsigned char state[MOST], occluded[MOST];
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++) o[k][i] = rays[i].origin[k], d[k][i] = rays[i].direction[k];
+        t_min[i] = rays[i].t_min, t_max[i] = rays[i].t_max;
+    }
+    const algsurf_ray_packet packet = {.size = sizeof packet,
+                                       .count = (size_t)count,
+                                       .origin = {o[0], o[1], o[2]},
+                                       .direction = {d[0], d[1], d[2]},
+                                       .t_min = t_min,
+                                       .t_max = t_max};
+    const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
+    assert_ok(algsurf_intersect_packet(c.surface, extent, &packet, &how, &hits));
+    assert_ok(algsurf_occluded_packet(c.surface, extent, &packet, &how, occluded));
+    for (int i = 0; i < count; i++) {
+        algsurf_hit hit;
+        assert_ok(algsurf_intersect_first(c.surface, extent, &rays[i], &how, &hit));
+        if (hit.state == state[i] && hit.t == t[i] && occluded[i] == state[i]) continue;
+        exact_print_doubles("origin", rays[i].origin, 3);
+        exact_print_doubles("direction", rays[i].direction, 3);
+        fail_msg("seed %llu: side %d: alone %a, in company %a, occluded %d", (unsigned long long)first_seed,
+                 side, hit.t, t[i], occluded[i]);
+    }
+}
+
 /* Secondary rays of a surface, whose terms are set; most: of how many doubles must decide, if they do not
  * graze.
  */
@@ -114,6 +145,30 @@ TEST(test_catalogue_bounces) {
         assert_non_null(entry);
         intersect_equation(&c, entry->equation);
         judge_bounces(&seed, 60 * rounds, i % 2 ? NULL : &ball, 0.9);
+        algsurf_surface_free(c.surface);
+    }
+}
+
+TEST(test_company) {
+    static const char *const names[] = {"tangle", "torus", "barth-sextic", "boy"};
+    uint64_t seed = first_seed;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const catalogue_entry *entry = catalogue_find(names[i]);
+        assert_non_null(entry);
+        intersect_equation(&c, entry->equation);
+        for (int packet = 0; packet < 200 * rounds; packet++) {
+            algsurf_ray rays[64];
+            algsurf_hit hit;
+            int count = 0;
+            for (int tries = 0; tries < 1000 && count < 64; tries++) {
+                if (!first_hit(&seed, &entry->extent, &hit)) continue;
+                bounce(&seed, &hit, tries % 3);
+                if (tries % 4 == 0) c.ray.t_max = exact_random_unit(&seed);
+                if (tries % 5 == 0) c.ray.t_min = 0.25 * exact_random_unit(&seed);
+                rays[count++] = c.ray;
+            }
+            for (int side = -1; side <= 1; side++) judge_company(&entry->extent, rays, count, side);
+        }
         algsurf_surface_free(c.surface);
     }
 }

@@ -78,11 +78,20 @@ INLINE mask off_side(const packet *k) {
     return k->loose | (k->wanted > 0 ? negative(k->at.side) : ~negative(k->at.side));
 }
 
+/* After the signs of all lanes were counted, also of those whose cells did not change: a cell that begins
+ * behind the start begins with a sign that is known; in the others one variation proves nothing. */
+INLINE void keep_loose(packet *k) {
+    if (!SIDED) return;
+    k->loose &= at_most(k->at.p, all_lanes(0));
+    k->s.one &= ~k->loose;
+}
+
 /* The cells [from,to] of `which` open lanes, and their count of signs. */
 INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to, const algsurf_i_watch *watch) {
     cut_cell(&k->at, k->b, k->e, n, own, k->cut_error, which, from, to);
     leave_undecided(k, which & ~ends_known(k->at.w, k->at.e, n, own, all_lanes(0)));
     k->s = count_signs(k->at.w, k->at.e, n, own);
+    keep_loose(k);
     if (watch && bits(which) & 1)
         tell_cell(watch, k->at.p[0], k->at.q[0], k->at.w, k->at.e, n, own, k->at.side[0] != 0);
 }
@@ -128,7 +137,7 @@ INLINE void isolate_n(packet *k, int n, int own, const algsurf_i_watch *watch) {
             const lanes blur = SIDED ? choose(off, all_lanes(HUGE_VAL), k->blur) : k->blur; /* never counts */
             leave_undecided(
                 k, divide(c, n, own, k->cut_error, k->open, k->start, blur, k->stop, turn++, &k->s, watch));
-            if (SIDED) k->loose &= at_most(c->p, all_lanes(0)), k->s.one &= ~k->loose;
+            keep_loose(k);
         }
     }
 }
