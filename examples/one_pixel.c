@@ -290,7 +290,9 @@ static void print_roots(const centred *p, const algsurf_complex_root *roots, int
 
 static void show_complex_space(const algsurf_surface *surface, const algsurf_ray *ray, const centred *p) {
     const double degree = 3.14159265358979323846 / 180;
-    algsurf_complex_space space = {.size = sizeof space, .sector = {0, 2 * degree}, .imaginary = {2}};
+    const double imaginary[1] = {2};
+    const algsurf_complex_space space = {
+        .size = sizeof space, .sector = {0, 2 * degree}, .imaginary = imaginary, .imaginary_count = 1};
     algsurf_complex_root roots[DEGREE];
     algsurf_complex c[DEGREE + 1], root;
     algsurf_hit hit;

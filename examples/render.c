@@ -258,7 +258,8 @@ static void draw_picture(run *r, const view *shown, int picture) {
     const render_sweep *sweep = &options->sweep;
     prepare_surface(r, shown, picture);
     algsurf_camera camera = view_camera(shown, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
-    algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
+    algsurf_complex_space space = render_space_of(&options->space, sweep, picture, imaginary);
     char *output = r->frames ? NULL : numbered(options->output, r, picture);
     char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
     char *heatmap = numbered(options->heatmap, r, picture);

@@ -105,7 +105,7 @@ uint64_t render_job_digest(const render_options *options, const algsurf_surface 
     }
     if (!space) return digest;
     digest = add_numbers(digest, (double[]){space->sector.sigma, space->sector.delta}, 2);
-    return add_numbers(digest, space->imaginary, ALGSURF_MAX_DEGREE + 1);
+    return add_numbers(digest, space->imaginary, space->imaginary_count);
 }
 
 uint64_t render_pixels_digest(const uint8_t *pixels, size_t bytes) {

@@ -39,13 +39,13 @@ static double angle_of(const cli_option *option, const char *value) {
 
 void render_set_sigma(const cli_option *option, const char *value, void *field) {
     render_space *space = field;
-    space->space.sector.sigma = angle_of(option, value);
+    space->sector.sigma = angle_of(option, value);
     space->sigma = option->name;
 }
 
 void render_set_delta(const cli_option *option, const char *value, void *field) {
     render_space *space = field;
-    space->space.sector.delta = angle_of(option, value);
+    space->sector.delta = angle_of(option, value);
     space->delta = option->name;
 }
 
@@ -61,7 +61,7 @@ void render_set_imaginary(const cli_option *option, const char *value, void *fie
     if (space->imaginary_given[k])
         cli_fail(CLI_BAD_INPUT, "%s: coefficient %d is given twice", option->name, k);
     space->imaginary_given[k] = 1;
-    space->space.imaginary[k] = x;
+    space->imaginary[k] = x;
 }
 
 void render_set_coherence(const cli_option *option, const char *value, void *field) {
@@ -111,9 +111,9 @@ void render_check_space(render_space *space, const render_sweep *sweep) {
         cli_fail(CLI_BAD_INPUT, "--sweep: sets delta; leave %s out", space->delta);
     if (sweep->kind == SWEEP_IMAG && space->imaginary_given[sweep->k])
         cli_fail(CLI_BAD_INPUT, "--sweep: sets coefficient %d; leave its --imag out", sweep->k);
-    if (!space->delta) space->space.sector.delta = REAL_DELTA;
-    double widest = sweep->kind == SWEEP_DELTA ? fmax(sweep->from, sweep->to) : space->space.sector.delta;
-    if (space->space.sector.sigma + widest > nextafter(PI, 4)) /* algsurf_sector: pi, rounded up */
+    if (!space->delta) space->sector.delta = REAL_DELTA;
+    double widest = sweep->kind == SWEEP_DELTA ? fmax(sweep->from, sweep->to) : space->sector.delta;
+    if (space->sector.sigma + widest > nextafter(PI, 4)) /* algsurf_sector: pi, rounded up */
         cli_fail(CLI_BAD_INPUT, "--sigma, --delta: their sum is above pi");
 }
 
@@ -129,11 +129,15 @@ double render_sweep_value(const render_sweep *sweep, int picture) {
     return (1 - share) * sweep->from + share * sweep->to;
 }
 
-algsurf_complex_space render_space_of(const render_space *space, const render_sweep *sweep, int picture) {
-    algsurf_complex_space of = space->space;
-    double value = render_sweep_value(sweep, picture);
+algsurf_complex_space render_space_of(const render_space *space, const render_sweep *sweep, int picture,
+                                      double imaginary[ALGSURF_MAX_DEGREE + 1]) {
+    algsurf_complex_space of = {.size = sizeof of,
+                                .sector = space->sector,
+                                .imaginary = imaginary,
+                                .imaginary_count = ALGSURF_MAX_DEGREE + 1};
+    const double value = render_sweep_value(sweep, picture);
+    memcpy(imaginary, space->imaginary, sizeof space->imaginary);
     if (sweep->kind == SWEEP_DELTA) of.sector.delta = value;
-    if (sweep->kind == SWEEP_IMAG) of.imaginary[sweep->k] = value;
-    of.size = sizeof of;
+    if (sweep->kind == SWEEP_IMAG) imaginary[sweep->k] = value;
     return of;
 }

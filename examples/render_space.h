@@ -16,7 +16,8 @@ typedef struct render_sweep {
 
 typedef struct render_space {
     int is_complex; /* 0: real space */
-    algsurf_complex_space space;
+    algsurf_sector sector;
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
     int imaginary_given[ALGSURF_MAX_DEGREE + 1];
     algsurf_coherence coherence;
     const char *sigma, *delta, *coherent; /* the options' names; null: not given */
@@ -39,7 +40,8 @@ void render_check_space(render_space *space, const render_sweep *sweep);
 /* Ends the program when an imaginary part is for a coefficient that the surface does not have. */
 void render_check_degree(const render_space *space, const render_sweep *sweep, int degree);
 
-/* The complex space of picture number `picture`, from 0. */
-algsurf_complex_space render_space_of(const render_space *space, const render_sweep *sweep, int picture);
+/* The complex space of picture number `picture`, from 0; imaginary: room for its imaginary parts. */
+algsurf_complex_space render_space_of(const render_space *space, const render_sweep *sweep, int picture,
+                                      double imaginary[ALGSURF_MAX_DEGREE + 1]);
 
 #endif

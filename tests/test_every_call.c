@@ -13,6 +13,7 @@
  *   algsurf_scene_set_intersect_options, algsurf_surface_with_error, algsurf_count_roots;
  *   isfinite() of a caller's double there: algsurf_surface_from_terms, algsurf_surface_from_equation;
  *   a result looked at after it is left: algsurf_surface_value, algsurf_surface_gradient;
+ *   a subnormal imaginary part taken for 0 there: algsurf_scene_set_complex_space;
  *   the environment not entered: algsurf_refine_function, algsurf_interval_add (traps; other bits)
  */
 #define _POSIX_C_SOURCE 200809L /* sigaction */
@@ -474,17 +475,19 @@ ON_SURFACE(algsurf_occluded_packet) {
     WRITTEN(state);
 }
 
-static algsurf_complex_space space_made(void) {
-    algsurf_complex_space space = {.size = sizeof space};
+/* imaginary: room for its imaginary parts. */
+static algsurf_complex_space space_made(double imaginary[4]) {
+    algsurf_complex_space space = {.size = sizeof space, .imaginary = imaginary, .imaginary_count = 4};
     space.sector.sigma = number(0), space.sector.delta = number(0.25);
-    space.imaginary[0] = number(0.5), space.imaginary[3] = number(0);
+    imaginary[0] = number(0.5), imaginary[1] = imaginary[2] = 0, imaginary[3] = number(0);
     return space;
 }
 
 ON_SURFACE(algsurf_intersect_complex) {
     algsurf_extent extent = extent_made(ALGSURF_EXTENT_SPHERE);
     algsurf_ray ray = ray_made();
-    algsurf_complex_space space = space_made();
+    double imaginary[4];
+    algsurf_complex_space space = space_made(imaginary);
     algsurf_complex start[4], roots[4] = {{0, 0}}, root = {0, 0};
     algsurf_hit hit = {.state = 0};
     for (int i = 0; i < 4; i++) start[i] = complex_made(quartic[0][i], 0.5);
@@ -990,7 +993,8 @@ CALL(algsurf_render) {
     algsurf_camera camera = camera_made();
     algsurf_material material = material_made();
     algsurf_light light = light_made();
-    algsurf_complex_space space = space_made();
+    double imaginary[4];
+    algsurf_complex_space space = space_made(imaginary);
     double colour[3];
     numbers(colour, 3, camera.up);
     (void)algsurf_scene_set_extent(of.scene, &extent);
@@ -1076,7 +1080,8 @@ CALL(algsurf_scene_set_clip) {
 }
 
 CALL(algsurf_scene_set_complex_space) {
-    algsurf_complex_space space = space_made();
+    double imaginary[4];
+    algsurf_complex_space space = space_made(imaginary);
     SETS(algsurf_scene_set_complex_space(of.scene, &space))
 }
 

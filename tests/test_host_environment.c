@@ -118,7 +118,7 @@ static void draw(answers *a, int i) {
     const shot *s = shots + i;
     const double centre[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {s->size, 0, 0}};
-    const algsurf_complex_space space = {sizeof space, {0, 0.05}, {s->imaginary}};
+    const algsurf_complex_space space = {sizeof space, {0, 0.05}, &s->imaginary, 1};
     algsurf_surface *surface = NULL;
     algsurf_scene *scene = NULL;
     ok(a, 1, algsurf_surface_from_equation(s->equation, NULL, 0, &surface, NULL));
@@ -150,7 +150,8 @@ static void solve(answers *a) {
                                      .direction = {direction[0], direction[1], direction[2]}};
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->packet_t, .t_lo = a->packet_lo, .t_hi = a->packet_hi};
-    const algsurf_complex_space space = {sizeof space, {0, 0.3}, {1, 0x1p-1060}};
+    const double imaginary[2] = {1, 0x1p-1060};
+    const algsurf_complex_space space = {sizeof space, {0, 0.3}, imaginary, 2};
     const double c[DEGREE + 1] = {-0.1, 0.7, 0.3, 0x1p-1060, -2.9, 1};
     algsurf_surface *surface = NULL;
     ok(a, 11, algsurf_surface_from_equation(shots[0].equation, NULL, 0, &surface, NULL));

@@ -86,7 +86,7 @@ TEST(test_complex_sphere) {
         for (int k = 0; k < 3; k++) target[k] = exact_random_unit(&seed);
         algsurf_ray ray = ray_towards(eye, target);
         algsurf_complex_space space = space_of(0, delta);
-        space.imaginary[0] = m;
+        space.imaginary = &m, space.imaginary_count = 1;
         algsurf_hit hit = hit_of(s, &ray, &space);
         double expected = sphere_magnitude(&ray, m, delta);
         if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
@@ -109,8 +109,7 @@ TEST(test_normal) {
     algsurf_complex_space space = space_of(0, pi / 6);
     uint64_t seed = 5;
     int checked = 0;
-    space.imaginary[0] = 2;
-    space.imaginary[1] = -0.1;
+    space.imaginary = (const double[]){2, -0.1}, space.imaginary_count = 2;
     for (int i = 0; i < 300; i++) {
         const double eye[3] = {6, 5, 4}, h = 1e-5;
         double target[3], turn[3], along = 0;
@@ -150,7 +149,7 @@ TEST(test_start_values) {
     algsurf_hit cold, warm;
     const double eye[3] = {6, 5, 4};
     uint64_t seed = 3;
-    space.imaginary[0] = 1;
+    space.imaginary = (const double[]){1}, space.imaginary_count = 1;
     for (int i = 0; i < 500; i++) {
         double target[3];
         for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
@@ -250,7 +249,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
     const algsurf_ray ray = {{p->x, 0, 0}, {p->d, 0, 0}, 0, p->t_max};
     algsurf_complex_space space = space_of(0, delta);
     algsurf_surface *s = NULL;
-    space.imaginary[0] = p->m, space.imaginary[1] = p->k;
+    space.imaginary = (const double[]){p->m, p->k}, space.imaginary_count = 2;
     assert_ok(algsurf_surface_from_terms(terms, 1, &s));
     algsurf_hit hit = hit_of(s, &ray, &space);
     algsurf_surface_free(s);
@@ -338,7 +337,7 @@ TEST(test_conjugates) {
     assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     int decided = 0;
     for (int k = 4; k <= 1074; k++) {
-        space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
+        space.imaginary = (const double[]){0, ldexp(k % 2 ? 1 : -1, -k)}, space.imaginary_count = 2;
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
         decided++;
@@ -360,6 +359,42 @@ TEST(test_edge_of_the_extent) {
     assert_ok(algsurf_surface_from_terms(terms, 2, &s));
     assert_ok(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL));
     assert_int_equal(hit.state, ALGSURF_STATE_MISS);
+    algsurf_surface_free(s);
+}
+
+/* As many numbers are read as are there, and zeros, of either sign, change nothing; nor does it matter how
+ * many zeros there are. */
+TEST(test_counts) {
+    algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
+    const double eye[3] = {2, 1.5, -1}, target[3] = {0.3, -0.2, 0.4};
+    const algsurf_ray ray = ray_towards(eye, target);
+    algsurf_complex_space space = space_of(0, pi / 4);
+    const algsurf_hit real = hit_of(s, &ray, &space);
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
+    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) imaginary[k] = k % 2 ? 0 : -0.0;
+    for (int first = 0; first < 2; first++) { /* without and with an imaginary part of p_0 */
+        algsurf_hit one = real;
+        if (first) {
+            imaginary[0] = 0.3;
+            space.imaginary = imaginary, space.imaginary_count = 1;
+            one = hit_of(s, &ray, &space);
+            assert_true(one.state == ALGSURF_STATE_HIT && one.t != real.t);
+        }
+        for (int count = 1; count <= ALGSURF_MAX_DEGREE + 1; count++) {
+            double *exact = malloc((size_t)count * sizeof *exact); /* sanitizers see what is read beyond it */
+            assert_non_null(exact);
+            memcpy(exact, imaginary, (size_t)count * sizeof *exact);
+            space.imaginary = exact, space.imaginary_count = (size_t)count;
+            const algsurf_hit hit = hit_of(s, &ray, &space);
+            assert_memory_equal(&hit, &one, sizeof hit);
+            free(exact);
+        }
+        imaginary[1] = NAN; /* behind the last one */
+        space.imaginary = imaginary, space.imaginary_count = (size_t)first;
+        const algsurf_hit hit = hit_of(s, &ray, &space);
+        assert_memory_equal(&hit, &one, sizeof hit);
+        imaginary[1] = 0;
+    }
     algsurf_surface_free(s);
 }
 
@@ -389,14 +424,27 @@ TEST(test_bad_arguments) {
     bad = space_of(0, 4);
     assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
                      ALGSURF_E_ARGUMENT);
-    bad = good;
-    bad.imaginary[1] = NAN;
-    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
-                     ALGSURF_E_NOT_FINITE);
-    bad = good;
-    bad.imaginary[3] = 1; /* above the degree */
+    double imaginary[ALGSURF_MAX_DEGREE + 2] = {0};
+    bad = good, bad.imaginary_count = 1; /* of none */
     assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
                      ALGSURF_E_ARGUMENT);
+    bad.imaginary = imaginary, bad.imaginary_count = ALGSURF_MAX_DEGREE + 2;
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    bad.imaginary_count = SIZE_MAX;
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) {
+        bad.imaginary_count = (size_t)k + 1;
+        imaginary[k] = k % 2 ? NAN : -INFINITY;
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                         ALGSURF_E_NOT_FINITE);
+        imaginary[k] = k % 2 ? 0x1p-1074 : -1;
+        if (k > 2) /* above the degree */
+            assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                             ALGSURF_E_ARGUMENT);
+        imaginary[k] = 0;
+    }
     bad = good;
     bad.size = 1;
     assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL), ALGSURF_E_SIZE);

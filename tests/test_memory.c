@@ -458,7 +458,9 @@ TEST(test_scene_and_render) {
 }
 
 TEST(test_complex_space) {
-    algsurf_complex_space space = {.size = sizeof space, .sector = {0.01, 0.2}, .imaginary = {[0] = 0.5}};
+    const double imaginary = 0.5;
+    const algsurf_complex_space space = {
+        .size = sizeof space, .sector = {0.01, 0.2}, .imaginary = &imaginary, .imaginary_count = 1};
     algsurf_surface *s = make_surface();
     assert_ok(algsurf_scene_create(s, &stage));
     assert_ok(algsurf_scene_set_complex_space(stage, &space));

@@ -36,7 +36,9 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *surface) {
     const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
-    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
+    const double four = 4;
+    const algsurf_complex_space space = {
+        .size = sizeof space, .sector = {0, 0.1}, .imaginary = &four, .imaginary_count = 1};
     const double sky[3] = {0.6, 0.1, 0.02};
     algsurf_scene *scene = torus_scene(surface, way->quality, 1);
     assert_ok(algsurf_scene_set_background(scene, sky));

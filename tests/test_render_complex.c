@@ -19,10 +19,11 @@
 
 #define PI 3.14159265358979323846
 
-static algsurf_complex_space space_of(double delta, int k, double imaginary) {
-    algsurf_complex_space space = {.size = sizeof space, .sector = {0, delta}};
-    space.imaginary[k] = imaginary;
-    return space;
+static algsurf_complex_space space_of(double delta, const double *imaginary, size_t count) {
+    return (algsurf_complex_space){.size = sizeof(algsurf_complex_space),
+                                   .sector = {0, delta},
+                                   .imaginary = imaginary,
+                                   .imaginary_count = count};
 }
 
 /* A named surface as the catalogue frames it. */
@@ -75,7 +76,7 @@ TEST(pixel_by_pixel) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4};
-    const algsurf_complex_space space = space_of(PI / 18, 2, 0.05);
+    const algsurf_complex_space space = space_of(PI / 18, (const double[]){0, 0, 0.05}, 3);
     const catalogue_entry *entry = catalogue_find("tangle");
     algsurf_surface *surface;
     algsurf_scene *scene = complex_scene("tangle", &space, &surface);
@@ -128,14 +129,16 @@ static void assert_same_states(const catalogue_entry *entry, const algsurf_surfa
     assert_true(undecided == p->stats.undecided);
 }
 
-/* Surfaces, what gets an imaginary part, and delta. */
+enum { PARTS = 5 };
+
+/* Surfaces, delta, and imaginary parts. */
 static const struct {
     const char *name;
-    int k, antialias;
-    double imaginary, delta;
-} shots[] = {{"sphere", 0, 1, 1, 7 * PI / 18}, {"whitney", 0, 2, 1.5, PI / 18},
-             {"steiner", 0, 1, 0, PI / 36},    {"tangle", 0, 1, 2, PI / 180},
-             {"boy", 4, 1, 10, PI / 18},       {"barth-decic", 0, 1, 0, 1e-10}};
+    int antialias;
+    double delta, imaginary[PARTS];
+} shots[] = {{"sphere", 1, 7 * PI / 18, {1}}, {"whitney", 2, PI / 18, {1.5}},
+             {"steiner", 1, PI / 36, {0}},    {"tangle", 1, PI / 180, {2}},
+             {"boy", 1, PI / 18, {[4] = 10}}, {"barth-decic", 1, 1e-10, {0}}};
 enum { SHOTS = sizeof shots / sizeof *shots };
 
 static const int cuts[] = {0, 1, 9, 16, 20, H};
@@ -143,7 +146,7 @@ static const int cuts[] = {0, 1, 9, 16, 20, H};
 TEST(same_bytes) {
     static const int threads[3] = {1, 2, 5};
     for (int s = 0; s < SHOTS; s++) {
-        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
+        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].imaginary, PARTS);
         algsurf_surface *surface;
         algsurf_scene *scene = complex_scene(shots[s].name, &space, &surface);
         assert_ok(algsurf_scene_set_antialias(scene, shots[s].antialias));
@@ -177,7 +180,7 @@ TEST(same_bytes) {
  */
 TEST(iterations_saved) {
     for (int s = 0; s < SHOTS; s++) {
-        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
+        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].imaginary, PARTS);
         algsurf_surface *surface;
         algsurf_scene *scene = complex_scene(shots[s].name, &space, &surface);
         picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 2);
@@ -199,15 +202,19 @@ TEST(iterations_saved) {
 /* Every named surface by every kernel: the same bytes, and each pixel's state is that of its single ray. */
 TEST(states_of_single_rays) {
     static const struct {
-        double sigma, delta, imaginary;
-        int k;
-    } spaces[] = {{0, 0.4, 0, 0}, {0, 0.2, 1.5, 0}, {0.3, 1, 0.3, 1}, {0, PI, 0, 0}, {0.1, 0.5, -0.2, 2}};
+        double sigma, delta, imaginary[3];
+        int count;
+    } spaces[] = {{0, 0.4, {0}, 0},
+                  {0, 0.2, {1.5}, 1},
+                  {0.3, 1, {0, 0.3}, 2},
+                  {0, PI, {0}, 0},
+                  {0.1, 0.5, {0, 0, -0.2}, 3}};
     uint64_t alone = 0, rays = 0;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         for (size_t i = 0; i < sizeof spaces / sizeof *spaces; i++) {
-            algsurf_complex_space space = space_of(spaces[i].delta, 0, 0);
+            const size_t count = spaces[i].count <= entry->degree + 1 ? (size_t)spaces[i].count : 0;
+            algsurf_complex_space space = space_of(spaces[i].delta, spaces[i].imaginary, count);
             space.sector.sigma = spaces[i].sigma;
-            if (spaces[i].k <= entry->degree) space.imaginary[spaces[i].k] = spaces[i].imaginary;
             algsurf_surface *surface;
             algsurf_scene *scene = complex_scene(entry->name, &space, &surface);
             picture *p = drawn(scene, 1);
@@ -232,7 +239,7 @@ TEST(states_of_single_rays) {
 /* sigma = 0, delta = 1e-10 is real space. */
 TEST(real_space) {
     static const char *const names[4] = {"sphere", "tangle", "torus", "boy"};
-    const algsurf_complex_space space = space_of(1e-10, 0, 0);
+    const algsurf_complex_space space = space_of(1e-10, NULL, 0);
     for (int s = 0; s < 4; s++) {
         algsurf_surface *surface;
         algsurf_scene *scene = named(names[s], &surface);
@@ -268,8 +275,7 @@ static algsurf_scene *from_above(const algsurf_surface *surface, double height) 
 TEST(border_is_undecided) {
     algsurf_surface *surface = surface_of("z (z+20) - 1");
     algsurf_scene *scene = from_above(surface, 4);
-    algsurf_complex_space space = space_of(atan2(1, 4), 0, 28);
-    space.imaginary[1] = -2;
+    const algsurf_complex_space space = space_of(atan2(1, 4), (const double[]){28, -2}, 2);
     assert_ok(algsurf_scene_set_complex_space(scene, &space));
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
     picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
@@ -284,7 +290,7 @@ TEST(border_is_undecided) {
 /* (z+1)^3 = x - c, drawn warm and cold; returns how many rays of the warm picture went alone. */
 static uint64_t cubic_column(double c) {
     const algsurf_term terms[5] = {{0, 0, 3, 1}, {0, 0, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1 + c}, {1, 0, 0, -1}};
-    const algsurf_complex_space space = space_of(PI / 4, 0, 0);
+    const algsurf_complex_space space = space_of(PI / 4, NULL, 0);
     algsurf_surface *surface;
     assert_ok(algsurf_surface_from_terms(terms, 5, &surface));
     algsurf_scene *scene = from_above(surface, 4);
@@ -314,7 +320,7 @@ TEST(cluster_is_left) {
 /* No roots at all, fewer than the degree along every ray, one multiple root along every ray. */
 TEST(odd_surfaces) {
     static const char *const equations[3] = {"1", "x z + 0.3 x^2 + 1", "(z + 1)^2"};
-    const algsurf_complex_space space = space_of(PI / 4, 0, 0);
+    const algsurf_complex_space space = space_of(PI / 4, NULL, 0);
     for (int s = 0; s < 3; s++) {
         algsurf_surface *surface = surface_of(equations[s]);
         algsurf_scene *scene = from_above(surface, 4);
@@ -332,7 +338,9 @@ TEST(odd_surfaces) {
 }
 
 TEST(setters) {
-    algsurf_complex_space good = space_of(0.3, 0, 1), bad;
+    double imaginary[ALGSURF_MAX_DEGREE + 1] = {1}, wrong[ALGSURF_MAX_DEGREE + 1] = {1};
+    const algsurf_complex_space good = space_of(0.3, imaginary, 1);
+    algsurf_complex_space bad;
     algsurf_surface *surface;
     algsurf_scene *scene = named("tangle", &surface);
     picture *real = drawn(scene, 1), *before, *after;
@@ -350,10 +358,19 @@ TEST(setters) {
     REFUSE((bad.sector.sigma = 2, bad.sector.delta = 1.5), ARGUMENT);
     REFUSE(bad.sector.sigma = NAN, ARGUMENT);
     REFUSE(bad.sector.delta = INFINITY, ARGUMENT);
-    REFUSE(bad.imaginary[0] = NAN, NOT_FINITE);
-    REFUSE(bad.imaginary[4] = INFINITY, NOT_FINITE);
-    REFUSE(bad.imaginary[5] = 1, ARGUMENT); /* above the degree */
-    REFUSE(bad.imaginary[ALGSURF_MAX_DEGREE] = 1, ARGUMENT);
+    REFUSE(bad.imaginary = NULL, ARGUMENT);
+    REFUSE(bad.imaginary_count = ALGSURF_MAX_DEGREE + 2, ARGUMENT);
+    REFUSE(bad.imaginary_count = SIZE_MAX, ARGUMENT);
+#define REFUSE_PART(k, value, status)                                                                        \
+    wrong[k] = value;                                                                                        \
+    REFUSE((bad.imaginary = wrong, bad.imaginary_count = ALGSURF_MAX_DEGREE + 1), status);                   \
+    wrong[k] = 0
+    REFUSE_PART(4, INFINITY, NOT_FINITE);
+    REFUSE_PART(5, 1, ARGUMENT); /* above the degree */
+    REFUSE_PART(ALGSURF_MAX_DEGREE, 1, ARGUMENT);
+    REFUSE_PART(ALGSURF_MAX_DEGREE, NAN, NOT_FINITE);
+    REFUSE_PART(0, NAN, NOT_FINITE);
+#undef REFUSE_PART
 #undef REFUSE
     assert_int_equal(algsurf_scene_set_coherence(NULL, ALGSURF_COHERENCE_NONE), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_set_coherence(scene, (algsurf_coherence)2), ALGSURF_E_ARGUMENT);
@@ -362,11 +379,23 @@ TEST(setters) {
     assert_same_picture(before, after);
     assert_true(after->stats.iterations == before->stats.iterations);
     free(after);
-    bad = good;
-    good.imaginary[0] = 7; /* it was copied */
+    imaginary[0] = 7; /* it was copied */
     after = drawn(scene, 1);
     assert_same_picture(before, after);
     free(after);
+    imaginary[0] = 1;
+    for (size_t count = 1; count <= ALGSURF_MAX_DEGREE + 1; count += count < 6 ? 1 : 59) { /* zeros behind */
+        double *gone = malloc(count * sizeof *gone);
+        assert_non_null(gone);
+        memcpy(gone, imaginary, count * sizeof *gone);
+        bad = space_of(0.3, gone, count);
+        assert_ok(algsurf_scene_set_complex_space(scene, &bad));
+        free(gone);
+        after = drawn(scene, 1);
+        assert_same_picture(before, after);
+        free(after);
+    }
+    bad = good;
     for (bad.size = 0; bad.size < sizeof bad; bad.size++) /* no release had a smaller one */
         assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_SIZE);
     assert_ok(algsurf_scene_set_complex_space(scene, NULL));

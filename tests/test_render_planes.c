@@ -15,7 +15,9 @@
  */
 #include "render_case.h"
 
-static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
+static const double four = 4;
+static const algsurf_complex_space space = {
+    .size = sizeof space, .sector = {0, 0.1}, .imaginary = &four, .imaginary_count = 1};
 
 /* Ways to draw: by packets, ray by ray, in complex space, each through a pinhole or in parallel. */
 static const struct way {

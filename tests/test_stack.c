@@ -205,7 +205,8 @@ STACK_OF(algsurf_hit_leave, USUAL, RENDERER) { for_rays(one_leave); }
 
 static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                         const algsurf_intersect_options *o) {
-    algsurf_complex_space space = {sizeof space, {0, o->tier ? 0.3 : 1e-10}, {o->method ? 0.5 : 0}};
+    const double imaginary = o->method ? 0.5 : 0;
+    const algsurf_complex_space space = {sizeof space, {0, o->tier ? 0.3 : 1e-10}, &imaginary, 1};
     algsurf_hit hit;
     (void)algsurf_intersect_complex(s, e, r, &space, NULL, NULL, &hit, NULL);
 }
@@ -695,9 +696,10 @@ STACK_OF(algsurf_scene_set_clip, USUAL, OTHERS) {
 STACK_OF(algsurf_scene_set_coherence, USUAL, OTHERS) {
     (void)algsurf_scene_set_coherence(scene, ALGSURF_COHERENCE_NONE);
 }
+static const double half = 0.5;
+static const algsurf_complex_space half_space = {sizeof half_space, {0, 0.3}, &half, 1};
 STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS) {
-    algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
-    (void)algsurf_scene_set_complex_space(scene, &space);
+    (void)algsurf_scene_set_complex_space(scene, &half_space);
 }
 STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS) { (void)algsurf_scene_set_extent(scene, extents + 2); }
 STACK_OF(algsurf_scene_set_intersect_options, USUAL, OTHERS) {
@@ -733,7 +735,6 @@ static void draw(algsurf_scene *of) {
 
 /* All surfaces, in all extents, with one sample and chosen ones, what is thin, shadows, complex space. */
 STACK_OF(algsurf_render, 58, RENDERER) {
-    const algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
     for (int i = 0; i < 3 * SURFACES; i++) {
         algsurf_scene *of = NULL;
         if (algsurf_scene_create(surfaces[i / 3], &of) != ALGSURF_OK) return;
@@ -744,7 +745,7 @@ STACK_OF(algsurf_render, 58, RENDERER) {
         draw(of);
         (void)algsurf_scene_set_antialias(of, 2);
         (void)algsurf_scene_set_antialias_threshold(of, 0.1);
-        (void)algsurf_scene_set_complex_space(of, &space);
+        (void)algsurf_scene_set_complex_space(of, &half_space);
         draw(of);
         algsurf_scene_free(of);
     }

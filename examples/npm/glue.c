@@ -174,8 +174,10 @@ EXPORTED(scene_material) int scene_material(algsurf_scene *scene, const double *
 /* imaginary: ALGSURF_MAX_DEGREE + 1 numbers. */
 EXPORTED(scene_complex_space)
 int scene_complex_space(algsurf_scene *scene, double sigma, double delta, const double *imaginary) {
-    algsurf_complex_space space = {.size = sizeof space, .sector = {sigma, delta}};
-    memcpy(space.imaginary, imaginary, sizeof space.imaginary);
+    const algsurf_complex_space space = {.size = sizeof space,
+                                         .sector = {sigma, delta},
+                                         .imaginary = imaginary,
+                                         .imaginary_count = ALGSURF_MAX_DEGREE + 1};
     return algsurf_scene_set_complex_space(scene, &space);
 }
 

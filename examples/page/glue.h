@@ -53,10 +53,12 @@ static inline size_t planes_of(const page_state *state, algsurf_plane planes[ALG
     return count;
 }
 
+/* It points into the state. */
 static inline algsurf_complex_space space_of(const page_state *state) {
-    algsurf_complex_space space = {.size = sizeof space, .sector = {state->sigma, state->delta}};
-    memcpy(space.imaginary, state->imaginary, sizeof space.imaginary);
-    return space;
+    return (algsurf_complex_space){.size = sizeof(algsurf_complex_space),
+                                   .sector = {state->sigma, state->delta},
+                                   .imaginary = state->imaginary,
+                                   .imaginary_count = ALGSURF_MAX_DEGREE + 1};
 }
 
 /* The first failure is kept. */

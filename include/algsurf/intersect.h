@@ -216,15 +216,18 @@ ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surfac
 
 /* The visible part of complex space. */
 typedef struct algsurf_complex_space {
-    size_t size;                              /* sizeof(algsurf_complex_space) */
-    algsurf_sector sector;                    /* of the arguments of t that count */
-    double imaginary[ALGSURF_MAX_DEGREE + 1]; /* imaginary[k], times i, is added to the coefficient of t^k */
+    size_t size;             /* sizeof(algsurf_complex_space) */
+    algsurf_sector sector;   /* of the arguments of t that count */
+    const double *imaginary; /* imaginary[k], times i, is added to the coefficient of t^k for k less than
+                                imaginary_count; 0 for k above the surface's degree.  Null with count 0:
+                                nothing is added */
+    size_t imaginary_count;  /* at most ALGSURF_MAX_DEGREE + 1 */
 } algsurf_complex_space;
 
 /* The first hit in complex space.  The polynomial along the ray, p(t) = P(origin + t direction)
- * + i sum_k imaginary[k] t^k, k up to the surface's degree, has degree-many complex roots t.  A root
- * counts if its argument lies in the sector and its magnitude in [t_min, t_max], the part of the ray inside
- * the extent with t_min >= 0.  Of the roots that count, the one of least magnitude is shown.
+ * + i sum_k imaginary[k] t^k, has degree-many complex roots t.  A root counts if its argument lies in the
+ * sector and its magnitude in [t_min, t_max], the part of the ray inside the extent with t_min >= 0.  Of the
+ * roots that count, the one of least magnitude is shown.
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
  *          normal of the surface that is shown, which consists of the points origin + |t| direction for all
  *          directions from that origin.  If t and p'(t) are real it has the direction of P's gradient.
@@ -239,8 +242,9 @@ typedef struct algsurf_complex_space {
  *          with; if fewer are found, the others are NaN
  * There are no options: of algsurf_intersect_options only planes would play a part; algsurf_ray_clip gives
  * the part of the ray that they keep.  Pictures cut complex space, too (algsurf_scene_set_clip).
- * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
- * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, bad ray, extent, sector or imaginary parts; t_min < 0 is taken as 0),
+ * E_NOT_FINITE.  Cost: that of algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of
+ * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
                                                      const algsurf_extent *extent, const algsurf_ray *ray,
                                                      const algsurf_complex_space *space,

@@ -137,9 +137,10 @@ ALGSURF_API algsurf_status algsurf_scene_set_intersect_options(algsurf_scene *sc
 ALGSURF_API algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes,
                                                   size_t count);
 
-/* Shows complex space, as algsurf_intersect_complex defines it.  Then the options of intersection play no
- * part, except the kernel, and full quality is drawn like standard quality: which points of complex space
- * belong to the surface depends on where the eye is, so shadows would not be those of the surface shown.
+/* Shows complex space, as algsurf_intersect_complex defines it; the imaginary parts are copied, too.  Then
+ * the options of intersection play no part, except the kernel, and full quality is drawn like standard
+ * quality: which points of complex space belong to the surface depends on where the eye is, so shadows would
+ * not be those of the surface shown.
  * Errors: as algsurf_intersect_complex for the space.  Cost: 70 ns a pixel in degree 4, 300 ns in degree 10,
  * with AVX-512; a ray that is undecided in its row costs one algsurf_intersect_complex.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,

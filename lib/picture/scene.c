@@ -173,8 +173,16 @@ static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes
 ALGSURF_I_PUBLIC(algsurf_status, scene_set_clip, set_clip,
                  (algsurf_scene * scene, const algsurf_plane *planes, size_t count), (scene, planes, count))
 
+/* Takes the imaginary parts that play a part from the caller. */
+static void copy_imaginary(algsurf_scene *scene) {
+    const int top = algsurf_i_top_imaginary(&scene->space, scene->surface->degree);
+    for (int k = 0; k <= top; k++) scene->imaginary[k] = scene->space.imaginary[k];
+    scene->space.imaginary = scene->imaginary;
+    scene->space.imaginary_count = (size_t)(top + 1);
+}
+
 /* The checks are those of the function that will get it, made on a ray without points. */
-algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
+static algsurf_status set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
     const algsurf_ray nothing = {{0, 0, 0}, {1, 0, 0}, 1, 0};
     algsurf_hit miss;
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -183,10 +191,13 @@ algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene, const algsu
             algsurf_intersect_complex(scene->surface, NULL, &nothing, space, NULL, NULL, &miss, NULL);
         if (status != ALGSURF_OK) return status;
         (void)algsurf_options_read(&scene->space, sizeof scene->space, space);
+        copy_imaginary(scene);
     }
     scene->complex = space != NULL;
     return ALGSURF_OK;
 }
+
+SETTER(complex_space, const algsurf_complex_space *)
 
 algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence) {
     if (!scene || (coherence != ALGSURF_COHERENCE_NONE && coherence != ALGSURF_COHERENCE_NEIGHBOURS))

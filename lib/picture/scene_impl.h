@@ -17,10 +17,11 @@ struct algsurf_scene {
     double antialias_threshold;          /* 0: every pixel gets all its samples */
     algsurf_intersect_options intersect; /* with the scene's planes: */
     algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
-    int thin;              /* 1: what is thin is shown, */
-    double thin_colour[3]; /* in this colour */
-    int complex;           /* 1: complex space, what of it is in space; 0: real space */
-    algsurf_complex_space space;
+    int thin;                    /* 1: what is thin is shown, */
+    double thin_colour[3];       /* in this colour */
+    int complex;                 /* 1: complex space, what of it is in space; 0: real space */
+    algsurf_complex_space space; /* with the scene's imaginary parts: */
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
     algsurf_coherence coherence;
 };
 

@@ -24,6 +24,7 @@
 
 #include "../base/elementary.h"
 #include "../rays/expand_impl.h"
+#include "../rays/intersect_impl.h"
 #include "../rays/region.h"
 #include "impl.h"
 #include "../base/vec.h"
@@ -150,8 +151,7 @@ static int place_planes(const algsurf_scene *scene, algsurf_i_geometry *p) {
 /* What kernels need to know of complex space; 0: the sector is not one for them. */
 static int place_complex_space(const algsurf_scene *scene, algsurf_i_geometry *p) {
     const algsurf_surface *s = scene->surface;
-    p->top = s->degree;
-    while (p->top >= 0 && scene->space.imaginary[p->top] == 0) p->top--;
+    p->top = algsurf_i_top_imaginary(&scene->space, s->degree);
     for (int k = 0; k <= p->top; k++)
         p->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
     p->frame.view.noise *= 4; /* complex_pixels_template.h */

@@ -151,7 +151,8 @@ typedef struct manner {
 } manner;
 
 static algsurf_status set_manner(algsurf_scene *scene, const char *kernel, const manner *m) {
-    static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
+    static const double imaginary = 2;
+    static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, &imaginary, 1};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     algsurf_status status = algsurf_scene_set_intersect_options(scene, &how);
     if (status == ALGSURF_OK) status = algsurf_scene_set_clip(scene, &cut, m->planes);

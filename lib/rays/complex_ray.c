@@ -61,9 +61,8 @@ static double scaled_size(double x, int e, double y) {
  * a little as the size is rounded itself.  So 4u a step, and 4u for the last coefficient. */
 static void add_imaginary(complex_query *q) {
     const algsurf_i_frame *f = &q->frame;
-    int n = q->surface->degree, top = n;
+    const int top = algsurf_i_top_imaginary(q->space, q->surface->degree);
     double value[ALGSURF_MAX_DEGREE + 1] = {0}, size[ALGSURF_MAX_DEGREE + 1] = {0}, far = fabs(f->centre);
-    while (top >= 0 && q->space->imaginary[top] == 0) top--;
     q->real = top < 0;
     for (int k = top; k >= 0; k--) {
         int e = q->surface->scale - k * f->exponent;
@@ -291,9 +290,11 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
 }
 
 static algsurf_status check(const algsurf_complex_space *space, int n) {
-    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) {
+    const size_t count = space->imaginary_count;
+    if (count > ALGSURF_MAX_DEGREE + 1 || (count > 0 && !space->imaginary)) return ALGSURF_E_ARGUMENT;
+    for (size_t k = 0; k < count; k++) {
         if (!isfinite(space->imaginary[k])) return ALGSURF_E_NOT_FINITE;
-        if (k > n && space->imaginary[k] != 0) return ALGSURF_E_ARGUMENT;
+        if (k > (size_t)n && space->imaginary[k] != 0) return ALGSURF_E_ARGUMENT;
     }
     int holds;
     const algsurf_complex_root probe = {{{1, 1}, {0, 0}}, {1, 0}, 1, 1};

@@ -60,6 +60,13 @@ algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *
                                    algsurf_hit *hit, uint64_t *exact);
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int tried, int *state);
 
+/* The highest power of t, up to the surface's degree, that gets an imaginary part; -1: none does. */
+static inline int algsurf_i_top_imaginary(const algsurf_complex_space *space, int degree) {
+    int top = space->imaginary_count > (size_t)degree ? degree : (int)space->imaginary_count - 1;
+    while (top >= 0 && space->imaginary[top] == 0) top--;
+    return top;
+}
+
 /* algsurf_intersect_complex in a region, whose planes are good, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
                                            const algsurf_ray *ray, const algsurf_complex_space *space,

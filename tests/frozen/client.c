@@ -131,9 +131,10 @@ static void check_packets(const algsurf_surface *s) {
 }
 
 static void check_complex(const algsurf_surface *s) {
+    const double none[3] = {0, 0, 0};
     BLANK(algsurf_complex_space, space);
     space.sector = (algsurf_sector){0, 1e-10};
-    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) space.imaginary[k] = 0;
+    space.imaginary = none, space.imaginary_count = 3;
     {
         algsurf_hit hit;
         algsurf_complex root;

@@ -79,10 +79,19 @@ function complexLines(state) {
     if (!state.complex) return [];
     const { sigma, delta, imaginary } = state.complex;
     const parts = Object.entries(imaginary).map(([k, v]) => `[${k}] = ${number(v)}`);
+    const sector = `.sector = {${number(sigma)}, ${number(delta)}}`;
+    const indent = "                                         ";
+    const spaceLines = parts.length
+        ? [
+              `${indent}${sector},`,
+              `${indent}.imaginary = imaginary,`,
+              `${indent}.imaginary_count = sizeof imaginary / sizeof *imaginary};`,
+          ]
+        : [`${indent}${sector}};`];
     return [
+        ...(parts.length ? [`    const double imaginary[] = {${parts.join(", ")}};`] : []),
         "    const algsurf_complex_space space = {.size = sizeof space,",
-        `                                         .sector = {${number(sigma)}, ${number(delta)}},`,
-        `                                         .imaginary = {${parts.join(", ") || "0"}}};`,
+        ...spaceLines,
         "    check(algsurf_scene_set_complex_space(scene, &space));",
     ];
 }

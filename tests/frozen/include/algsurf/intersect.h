@@ -94,7 +94,8 @@ ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surfac
 typedef struct algsurf_complex_space {
     size_t size;
     algsurf_sector sector;
-    double imaginary[ALGSURF_MAX_DEGREE + 1];
+    const double *imaginary;
+    size_t imaginary_count;
 } algsurf_complex_space;
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
                                                      const algsurf_extent *extent, const algsurf_ray *ray,
