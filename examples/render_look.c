@@ -63,7 +63,7 @@ static void set_paper_lights(const algsurf_camera *camera, const algsurf_lightin
     double radius = usual->radius;
     for (int l = 0; l < 2; l++) {
         const double *place = paper_lights[l].place;
-        light[l].samples_u = light[l].samples_v = PAPER_SAMPLES;
+        light[l] = (algsurf_light){.samples_u = PAPER_SAMPLES, .samples_v = PAPER_SAMPLES};
         for (int i = 0; i < 3; i++) {
             light[l].position[i] =
                 usual->centre[i] + radius * (place[0] * camera->right[i] + place[1] * camera->up[i] -

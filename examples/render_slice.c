@@ -70,7 +70,7 @@ static uint64_t add_camera(uint64_t digest, const algsurf_camera *camera) {
     digest = add_numbers(digest, camera->right, 3);
     digest = add_numbers(digest, camera->up, 3);
     digest = add_numbers(digest, camera->forward, 3);
-    return add_numbers(digest, (double[]){camera->half_height, camera->orthographic}, 2);
+    return add_numbers(digest, (double[]){camera->half_height, camera->kind}, 2);
 }
 
 static uint64_t add_look(uint64_t digest, const render_look *look) {

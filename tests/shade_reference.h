@@ -86,7 +86,7 @@ static inline void reference_shade(const algsurf_lighting *lighting, const doubl
     double aside = 1 - p.nv, edge = 1 - 0.35 * aside * aside * aside;
     for (int i = 0; i < 3; i++) {
         double lights = 0, left = 1;
-        for (int l = 0; l < lighting->light_count; l++) {
+        for (size_t l = 0; l < lighting->light_count; l++) {
             const algsurf_light *light = &lighting->lights[l];
             double to[3], k = visible ? 0.15 + 0.85 * visible[l] : 1;
             reference_towards(point, light->position, to);

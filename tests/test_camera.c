@@ -9,6 +9,7 @@
  *   orthographic direction fanned out                                 orthographic
  */
 #include <fenv.h>
+#include <limits.h>
 
 #include "algsurf/camera.h"
 #include "exact.h"
@@ -206,6 +207,36 @@ static void refuse_ray(const algsurf_camera *c, int width, int height, double x,
     assert_memory_equal(&r, &before, sizeof r);
 }
 
+static void refuse_kind(const algsurf_camera *good, int kind) {
+    algsurf_camera c = *good;
+    c.kind = kind;
+    refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
+}
+
+static void refuse_reserved(const algsurf_camera *good, int i, double x) {
+    algsurf_camera c = *good;
+    c.reserved[i] = x;
+    refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
+}
+
+/* Both makers set all members, whatever was there; -0 counts as 0. */
+TEST(kinds) {
+    const double eye[3] = {1, 2, 3};
+    for (int parallel = 0; parallel < 2; parallel++) {
+        algsurf_camera c;
+        algsurf_ray ray, same;
+        memset(&c, 0xff, sizeof c);
+        assert_ok(
+            (parallel ? algsurf_camera_orthographic : algsurf_camera_pinhole)(eye, origin, z_up, 3, &c));
+        assert_int_equal(c.kind, parallel ? ALGSURF_CAMERA_ORTHOGRAPHIC : ALGSURF_CAMERA_PINHOLE);
+        for (int i = 0; i < 8; i++) assert_true(c.reserved[i] == 0);
+        assert_ok(algsurf_camera_ray(&c, 10, 10, 1, 2, &ray));
+        for (int i = 0; i < 8; i++) c.reserved[i] = -0.0;
+        assert_ok(algsurf_camera_ray(&c, 10, 10, 1, 2, &same));
+        assert_memory_equal(&ray, &same, sizeof ray);
+    }
+}
+
 TEST(bad_rays) {
     const algsurf_camera good = pinhole((double[]){1, 2, 3}, origin, z_up, 30);
     algsurf_camera c = good;
@@ -223,15 +254,20 @@ TEST(bad_rays) {
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
     c = good, c.half_height = NAN;
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_NOT_FINITE);
-    c = good, c.orthographic = 2;
-    refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
+    for (int kind = -3; kind < 6; kind++)
+        if (kind != ALGSURF_CAMERA_PINHOLE && kind != ALGSURF_CAMERA_ORTHOGRAPHIC) refuse_kind(&good, kind);
+    refuse_kind(&good, INT_MIN), refuse_kind(&good, INT_MAX);
+    for (int i = 0; i < 8; i++) {
+        refuse_reserved(&good, i, 1), refuse_reserved(&good, i, -0x1p-1074);
+        refuse_reserved(&good, i, NAN), refuse_reserved(&good, i, -INFINITY);
+    }
     c = good, c.forward[0] += 0.01;
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
     c = good, memcpy(c.up, c.right, sizeof c.up);
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
     c = (algsurf_camera){.half_height = 1};
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
-    c = good, c.orthographic = 1, c.half_height = 1e308;
+    c = good, c.kind = ALGSURF_CAMERA_ORTHOGRAPHIC, c.half_height = 1e308;
     refuse_ray(&c, 10000, 1, 0, 0, ALGSURF_E_NOT_FINITE); /* reaches beyond all doubles */
 }
 
@@ -250,7 +286,7 @@ TEST(rounding_modes) {
         assert_ok(made);
         assert_ok(shot);
         assert_int_equal(mode, modes[m]);
-        assert_memory_equal(&c[m], &c[0], offsetof(algsurf_camera, orthographic)); /* no padding */
+        assert_memory_equal(&c[m], &c[0], offsetof(algsurf_camera, kind)); /* no padding */
         assert_memory_equal(&r[m], &r[0], sizeof r[0]);
     }
 }

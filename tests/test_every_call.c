@@ -342,13 +342,14 @@ ON_SURFACE(algsurf_expand_bernstein) {
 }
 
 static void look_at_camera(const algsurf_camera *camera) {
-    written(camera, offsetof(algsurf_camera, orthographic) + sizeof camera->orthographic);
+    written(camera, offsetof(algsurf_camera, kind) + sizeof camera->kind);
+    WRITTEN(camera->reserved);
 }
 
 static const double eye_usual[3] = {4, 3, 2.5}, up_usual[3] = {0, 0.125, 1};
 
 CALL(algsurf_camera_pinhole) {
-    algsurf_camera camera = {.orthographic = 0};
+    algsurf_camera camera = {.kind = ALGSURF_CAMERA_PINHOLE};
     double eye[3], at[3], up[3], fov;
     numbers(eye, 3, eye_usual), numbers(at, 3, unit), numbers(up, 3, up_usual);
     fov = number(30);
@@ -357,7 +358,7 @@ CALL(algsurf_camera_pinhole) {
 }
 
 CALL(algsurf_camera_orthographic) {
-    algsurf_camera camera = {.orthographic = 0};
+    algsurf_camera camera = {.kind = ALGSURF_CAMERA_PINHOLE};
     double eye[3], at[3], up[3], height;
     numbers(eye, 3, eye_usual), numbers(at, 3, unit), numbers(up, 3, up_usual);
     height = number(30);
@@ -368,10 +369,10 @@ CALL(algsurf_camera_orthographic) {
 /* A camera whose members a caller has written. */
 static algsurf_camera camera_made(void) {
     static const double axes[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, eye[3] = {0, -4, 0};
-    algsurf_camera camera = {.orthographic = 0};
+    algsurf_camera camera = {.kind = ALGSURF_CAMERA_PINHOLE};
     numbers(camera.eye, 3, eye), numbers(camera.right, 3, axes[0]);
     numbers(camera.up, 3, axes[1]), numbers(camera.forward, 3, axes[2]);
-    camera.half_height = number(0.5);
+    camera.half_height = number(0.5), camera.reserved[7] = number(0);
     return camera;
 }
 
@@ -886,6 +887,7 @@ static algsurf_light light_made(void) {
     algsurf_light light = {.samples_u = 2, .samples_v = 2};
     numbers(light.position, 3, place), numbers(light.colour, 3, white);
     numbers(light.edge_u, 3, u), numbers(light.edge_v, 3, v);
+    light.reserved[7] = number(0);
     return light;
 }
 

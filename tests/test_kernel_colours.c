@@ -98,7 +98,7 @@ static void random_turn(int number, uint64_t *state, turn *t) {
     t->lighting = (algsurf_lighting){.size = sizeof t->lighting,
                                      .material = &t->material,
                                      .lights = t->lights,
-                                     .light_count = number % (LIGHTS + 1),
+                                     .light_count = (size_t)(number % (LIGHTS + 1)),
                                      .radius = 1 + fabs(exact_random_unit(state)),
                                      .bounded = number / 3 % 2};
     random_direction(state, t->lighting.up), random_direction(state, t->lighting.forward);
@@ -117,7 +117,7 @@ static void random_turn(int number, uint64_t *state, turn *t) {
 
 static void public_colour(const turn *t, int e, double colour[3]) {
     const batch *b = &t->b;
-    const double *visible = t->with_visible ? b->visible + e * (t->lighting.light_count + 1) : NULL;
+    const double *visible = t->with_visible ? b->visible + e * (t->job.light_count + 1) : NULL;
     assert_ok(t->preview
                   ? algsurf_shade_preview(&t->lighting, b->point[e], b->normal[e], b->direction[e], colour)
                   : algsurf_shade(&t->lighting, visible, b->point[e], b->normal[e], b->direction[e], colour));
@@ -162,7 +162,7 @@ TEST(formula) {
         for (int e = 0; e < MOST; e++) {
             double expected[3];
             if (e % 16 == 7) continue;
-            const double *visible = t.with_visible ? t.b.visible + e * (t.lighting.light_count + 1) : NULL;
+            const double *visible = t.with_visible ? t.b.visible + e * (t.job.light_count + 1) : NULL;
             reference_shade(&t.lighting, visible, t.b.point[e], t.b.normal[e], t.b.direction[e], expected);
             for (int i = 0; i < 3; i++)
                 if (!(fabs((double)got.rgb[3 * e + i] - expected[i]) <= 1e-4))

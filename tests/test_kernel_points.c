@@ -47,16 +47,17 @@ static void set_view(stage *s, const double centre[3], double radius) {
         memcpy(s->view.axis[k], axis[k], sizeof s->view.axis[k]);
         side[k] = algsurf_dot(eye, axis[k]) / s->view.size;
     }
-    double distance = camera->orthographic ? 0 : -side[2];
-    s->view.alpha = camera->orthographic ? 0 : 1 / distance;
-    s->view.beta[0] = camera->orthographic ? 0 : -side[0] / distance;
-    s->view.beta[1] = camera->orthographic ? 0 : -side[1] / distance;
+    double distance = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? 0 : -side[2];
+    s->view.alpha = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? 0 : 1 / distance;
+    s->view.beta[0] = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? 0 : -side[0] / distance;
+    s->view.beta[1] = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? 0 : -side[1] / distance;
     s->job = (algsurf_i_row_job){.view = &s->view,
                                  .row = &s->row,
                                  .offset = 0.5 - 0.5 * WIDTH,
                                  .pixel = camera->half_height / (0.5 * HEIGHT),
                                  .u0 = side[0],
-                                 .du = camera->orthographic ? unit / s->view.size : distance,
+                                 .du = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? unit / s->view.size
+                                                                                   : distance,
                                  .near = side[2]};
 }
 
@@ -259,8 +260,11 @@ TEST(random_surfaces) {
 /* A parallel view down the z-axis from height 2: u is x, v is y, the depth is -z. */
 static void look_down_z(stage *s, const char *equation, double v) {
     s->surface = surface_of(equation);
-    s->camera = (algsurf_camera){
-        .eye = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .orthographic = 1};
+    s->camera = (algsurf_camera){.eye = {0, 0, 2},
+                                 .right = {1, 0, 0},
+                                 .up = {0, 1, 0},
+                                 .forward = {0, 0, -1},
+                                 .kind = ALGSURF_CAMERA_ORTHOGRAPHIC};
     s->camera.half_height = 0.5 * HEIGHT;
     set_view(s, (double[3]){0, 0, 0}, 1);
     s->row.v = v;

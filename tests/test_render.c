@@ -67,8 +67,9 @@ static int compare_bytes(const picture *p, int pixel, const double sum[3], int s
 /* Bytes and hits of pictures in standard quality, each from the single steps: with lights, and with the
  * default one. */
 TEST(pixel_by_pixel) {
-    const algsurf_light lights[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
-                                     {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
+    const algsurf_light lights[2] = {
+        {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4, ALGSURF_LIGHT_AREA, {0}},
+        {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1, ALGSURF_LIGHT_AREA, {0}}};
     const double sky[3] = {0.13, 0.25, 0.6};
     algsurf_surface *surface = torus();
     for (int n = 1; n <= 3; n++) {
@@ -250,7 +251,7 @@ static int add_full_colour(const algsurf_lighting *lighting, clearance *clears, 
                            shares *found) {
     double visible[ALGSURF_MAX_LIGHTS + 1], c[3];
     seeing s = {.clears = clears, .at = hit->position};
-    int sure = 1, lights = lighting->light_count;
+    int sure = 1, lights = (int)lighting->light_count;
     double away = reference_dot(hit->normal, ray->direction) > 0 ? -1 : 1;
     for (int i = 0; i < 3; i++) s.facing[i] = away * hit->normal[i];
     for (int l = 0; l < lights; l++) {
@@ -278,7 +279,7 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
     algsurf_light all[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     int otherwise = 0;
-    assert_ok(algsurf_scene_set_lights(scene, lights, count));
+    assert_ok(algsurf_scene_set_lights(scene, lights, (size_t)count));
     assert_ok(algsurf_scene_set_material(scene, material));
     assert_ok(algsurf_scene_get_lighting(scene, all, &lighting));
     picture *p = drawn(scene, 2);
@@ -321,7 +322,7 @@ static algsurf_material lights_only(void) {
 }
 
 TEST(shadows) {
-    algsurf_light light = {{0.5, -0.5, 5}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1};
+    algsurf_light light = {{0.5, -0.5, 5}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1, ALGSURF_LIGHT_AREA, {0}};
     const algsurf_material m = lights_only();
     static shares found;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
@@ -336,7 +337,7 @@ TEST(shadows) {
 }
 
 TEST(penumbra) {
-    algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4};
+    algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4, ALGSURF_LIGHT_AREA, {0}};
     const algsurf_material m = lights_only();
     static shares found;
     for (int n = 1; n <= 2; n++) {
@@ -354,9 +355,10 @@ TEST(penumbra) {
 
 /* A light with points of its own for each pixel, beside another one of all kinds, and all other light. */
 TEST(spread_light) {
-    const algsurf_light lights[3] = {{{0.5, -0.5, 3}, {0.7, 0.7, 0.7}, {2, 0, 0}, {0, 2, 0}, 0, 0},
-                                     {{-2, 3, 4}, {0.1, 0.3, 0.2}, {1, 0, 1}, {0, 1.5, 0}, 0, 0},
-                                     {{3, 3, 4}, {0.2, 0.1, 0}, {1, 0, 0}, {0, 1, 0}, 2, 2}};
+    const algsurf_light lights[3] = {
+        {{0.5, -0.5, 3}, {0.7, 0.7, 0.7}, {2, 0, 0}, {0, 2, 0}, 0, 0, ALGSURF_LIGHT_AREA, {0}},
+        {{-2, 3, 4}, {0.1, 0.3, 0.2}, {1, 0, 1}, {0, 1.5, 0}, 0, 0, ALGSURF_LIGHT_AREA, {0}},
+        {{3, 3, 4}, {0.2, 0.1, 0}, {1, 0, 0}, {0, 1, 0}, 2, 2, ALGSURF_LIGHT_AREA, {0}}};
     static shares found;
     for (int n = 1; n <= 3; n++) {
         check_full(ball_and_plane, clears_ball_and_plane, &plain, lights, 3, n, &found);
@@ -366,7 +368,8 @@ TEST(spread_light) {
 
 /* Its share of 32 points is near that of a fine grid's, on the average nearer. */
 TEST(spread_evenly) {
-    const algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 0, 0};
+    const algsurf_light light = {{0.5, -0.5, 3},     {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 0, 0,
+                                 ALGSURF_LIGHT_AREA, {0}};
     const algsurf_material m = lights_only();
     algsurf_light fine = light;
     algsurf_surface *surface = surface_of(ball_and_plane);
@@ -409,13 +412,15 @@ TEST(openness) {
 
 /* What is told of a scene's light: its own, and the default. */
 TEST(lighting_of_scenes) {
-    const algsurf_light set[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
-                                  {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
+    const algsurf_light set[2] = {
+        {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4, ALGSURF_LIGHT_AREA, {0}},
+        {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1, ALGSURF_LIGHT_AREA, {0}}};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 1);
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
+    memset(lights, 0xff, sizeof lights);
     assert_ok(algsurf_scene_set_material(scene, &plain));
     assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_true(l.size == sizeof l && l.lights == lights && l.light_count == 1 && l.bounded == 1);
@@ -433,11 +438,14 @@ TEST(lighting_of_scenes) {
     assert_true(fabs(sqrt(reference_dot(light->edge_u, light->edge_u)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(fabs(sqrt(reference_dot(light->edge_v, light->edge_v)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(light->samples_u == 0 && light->samples_v == 0 && light->colour[1] == 1);
+    assert_ok(algsurf_scene_set_lights(scene, lights, 1)); /* all of its members are set */
     assert_ok(algsurf_scene_set_lights(scene, set, 2));
     assert_ok(algsurf_scene_set_extent(scene, NULL));
     assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_true(l.light_count == 2 && l.bounded == 0 && l.radius > 0);
-    assert_memory_equal(lights, set, sizeof set);
+    for (int k = 0; k < 2; k++) /* up to what an int leaves open */
+        assert_memory_equal(&lights[k], &set[k], offsetof(algsurf_light, kind) + sizeof set[k].kind);
+    for (int k = 0; k < 8; k++) assert_true(lights[0].reserved[k] == 0 && lights[1].reserved[k] == 0);
     assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     assert_ok(algsurf_scene_get_lighting(scene, lights, &l));
     assert_int_equal(l.light_count, 0);
@@ -541,8 +549,8 @@ TEST(bad_scene) {
     REFUSED(ARGUMENT, set_material(scene, NULL));
     REFUSED(ARGUMENT, set_lights(NULL, lights, 1));
     REFUSED(ARGUMENT, set_lights(scene, NULL, 1));
-    REFUSED(ARGUMENT, set_lights(scene, lights, -1));
     REFUSED(ARGUMENT, set_lights(scene, lights, 17));
+    REFUSED(ARGUMENT, set_lights(scene, lights, SIZE_MAX));
     REFUSED(ARGUMENT, set_background(NULL, colour));
     REFUSED(ARGUMENT, set_thin(NULL, colour));
     REFUSED(ARGUMENT, set_quality(NULL, ALGSURF_QUALITY_FULL));
@@ -558,6 +566,11 @@ TEST(bad_scene) {
     REFUSED(ARGUMENT, set_extent(scene, &extent));
     extent.size[0] = INFINITY;
     REFUSED(NOT_FINITE, set_extent(scene, &extent));
+    camera.kind = 2;
+    REFUSED(ARGUMENT, set_camera(scene, &camera));
+    camera.kind = ALGSURF_CAMERA_PINHOLE, camera.reserved[7] = 1;
+    REFUSED(ARGUMENT, set_camera(scene, &camera));
+    camera.reserved[7] = 0;
     camera.up[0] = 3;
     REFUSED(ARGUMENT, set_camera(scene, &camera));
     camera.up[0] = NAN;
@@ -566,6 +579,11 @@ TEST(bad_scene) {
     REFUSED(ARGUMENT, set_material(scene, &material));
     material.diffuse = NAN;
     REFUSED(NOT_FINITE, set_material(scene, &material));
+    lights[3].kind = 1;
+    REFUSED(ARGUMENT, set_lights(scene, lights, 4));
+    lights[3].kind = ALGSURF_LIGHT_AREA, lights[3].reserved[0] = 1;
+    REFUSED(ARGUMENT, set_lights(scene, lights, 4));
+    lights[3].reserved[0] = 0;
     lights[3].samples_u = 0;
     REFUSED(ARGUMENT, set_lights(scene, lights, 4));
     lights[2].position[1] = INFINITY;
@@ -615,7 +633,7 @@ TEST(steep_ramps) {
                                            .up = {-0.6, 0, 0.8},
                                            .forward = {0, 1, 0},
                                            .half_height = pow(10, -zoom),
-                                           .orthographic = 1};
+                                           .kind = ALGSURF_CAMERA_ORTHOGRAPHIC};
             const algsurf_extent unit_ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1}};
             algsurf_surface *surface = NULL;
             algsurf_scene *scene = NULL;

@@ -75,7 +75,8 @@ TEST(pixel_by_pixel) {
                                     .haze = 0.3};
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4};
+    const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7},    {1, 0, 0}, {0, 1, 0}, 4,
+                                 4,          ALGSURF_LIGHT_AREA, {0}};
     const algsurf_complex_space space = space_of(PI / 18, (const double[]){0, 0, 0.05}, 3);
     const catalogue_entry *entry = catalogue_find("tangle");
     algsurf_surface *surface;

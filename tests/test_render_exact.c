@@ -321,8 +321,11 @@ static double allowance(const view *v, const algsurf_ray *ray, double t, long do
         if (a->k) gradient[2] += a->a * a->k * power[0][a->i] * power[1][a->j] * power[2][a->k - 1];
     }
     long double steep = fabsl(gradient[0]) + fabsl(gradient[1]) + fabsl(gradient[2]);
-    double slopes = v->camera.orthographic ? 0 : v->camera.half_height * (1 + (double)v->width / v->height);
-    for (int i = 0; i < 3 && v->camera.orthographic; i++) reach += fabs(v->camera.eye[i]);
+    double slopes = v->camera.kind == ALGSURF_CAMERA_ORTHOGRAPHIC
+                        ? 0
+                        : v->camera.half_height * (1 + (double)v->width / v->height);
+    for (int i = 0; i < 3 && v->camera.kind == ALGSURF_CAMERA_ORTHOGRAPHIC; i++)
+        reach += fabs(v->camera.eye[i]);
     long double error = S_FACTOR * U * steep * reach * (1 + slopes) + V_FACTOR * U * v->degree * size;
     long double step = B_FACTOR * v->radius;
     return (double)(error / slope + step * step * bend / slope + T_FACTOR * U * t + R_FACTOR * v->radius);
@@ -339,8 +342,8 @@ static void complain(const view *v, double x, double y, double t, const algsurf_
     for (int i = 0; i < answer->count; i++)
         fprintf(stderr, "; %.17g +- %.3g", answer->t[i],
                 allowance(v, ray, answer->t[i], answer->slope[i], answer->bend[i]));
-    fprintf(stderr, "\nextent %d, orthographic %d, half height %a\n", v->extent.kind, v->camera.orthographic,
-            v->camera.half_height);
+    fprintf(stderr, "\nextent %d, orthographic %d, half height %a\n", v->extent.kind,
+            (int)(v->camera.kind == ALGSURF_CAMERA_ORTHOGRAPHIC), v->camera.half_height);
     exact_print_doubles("centre", v->extent.centre, 3), exact_print_doubles("size", v->extent.size, 3);
     exact_print_doubles("eye", v->camera.eye, 3), exact_print_doubles("right", v->camera.right, 3);
     exact_print_doubles("up", v->camera.up, 3), exact_print_doubles("forward", v->camera.forward, 3);
@@ -469,7 +472,7 @@ static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
     if (!(far > 0)) far = v->radius;
     for (int i = 0; i < 3; i++) place[i] = ray.origin[i] + far * ray.direction[i];
     zoom = ldexp(v->camera.half_height, -exact_random_int(seed, 44));
-    if (v->camera.orthographic) {
+    if (v->camera.kind == ALGSURF_CAMERA_ORTHOGRAPHIC) {
         aim_parallel(v, ray.origin, place, 2 * zoom, seed);
     } else {
         aim(v, ray.origin, place, 1, seed);
@@ -605,7 +608,7 @@ TEST(test_root_at_a_slanted_face) {
                                 .up = {0, 0x1.fffffff3e1fd2p-1, 0x1.bd90cc88a5c0fp-15},
                                 .forward = {0, 0x1.bd90cc88a5c0fp-15, -0x1.fffffff3e1fd2p-1},
                                 .half_height = 0x1.84a2c912dfcedp-50,
-                                .orthographic = 1};
+                                .kind = ALGSURF_CAMERA_ORTHOGRAPHIC};
     check_all(&v);
 }
 

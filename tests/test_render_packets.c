@@ -34,7 +34,7 @@ static view view_of(const catalogue_entry *entry, int number, uint64_t *seed) {
     static const double distances[] = {0.6, 2, 4, 40, 1e4}; /* 0.6: the eye is inside */
     double radius = entry->extent.size[0], far = distances[number % 5] * radius, eye[3], look[3], up[3],
            length = 0;
-    view v = {entry, entry->extent, {.orthographic = 0}, number};
+    view v = {entry, entry->extent, {.kind = ALGSURF_CAMERA_PINHOLE}, number};
     for (int i = 0; i < 3; i++) {
         eye[i] = number < 6 ? (i == number / 2) * (number % 2 ? -1 : 1) : exact_random_unit(seed);
         up[i] = number < 6 ? i == (number / 2 + 1) % 3 : exact_random_unit(seed);

@@ -167,7 +167,7 @@ TEST(bad_options) {
         assert_int_equal(algsurf_render(scene, &good, &planes, &p.stats), ALGSURF_E_SIZE);
     assert_int_equal(p.bytes[0], SENTINEL);
     algsurf_camera huge = camera_at(7, 4, 5, 36);
-    huge.orthographic = 1, huge.half_height = 1.7e308;
+    huge.kind = ALGSURF_CAMERA_ORTHOGRAPHIC, huge.half_height = 1.7e308;
     assert_ok(algsurf_scene_set_camera(scene, &huge));
     refuse(scene, &good, ALGSURF_E_NOT_FINITE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);

@@ -41,7 +41,7 @@ static algsurf_light light_towards(double x, double y, double z) {
 
 /* Not bounded, up and away from the viewer level with the point: ambient light and haze are as on the
  * average. */
-static algsurf_lighting lighting_of(const algsurf_light *lights, int count) {
+static algsurf_lighting lighting_of(const algsurf_light *lights, size_t count) {
     return (algsurf_lighting){.size = sizeof(algsurf_lighting),
                               .material = &material,
                               .lights = lights,
@@ -240,7 +240,7 @@ static void random_look(uint64_t *state, double least_roughness, random_case *r)
     r->lighting = (algsurf_lighting){.size = sizeof r->lighting,
                                      .material = &r->material,
                                      .lights = r->lights,
-                                     .light_count = exact_random_int(state, ALGSURF_MAX_LIGHTS + 1),
+                                     .light_count = (size_t)exact_random_int(state, ALGSURF_MAX_LIGHTS + 1),
                                      .radius = scale,
                                      .bounded = exact_random_int(state, 2)};
     random_direction(state, r->lighting.up), random_direction(state, r->lighting.forward);
@@ -250,7 +250,7 @@ static void random_look(uint64_t *state, double least_roughness, random_case *r)
         r->point[i] = r->lighting.centre[i] + 0.6 * far * scale * exact_random_unit(state);
         if (exact_random_int(state, 30) == 0) r->normal[0] = r->normal[1] = r->normal[2] = 0;
     }
-    for (int l = 0; l < r->lighting.light_count; l++) {
+    for (size_t l = 0; l < r->lighting.light_count; l++) {
         double way[3], distance = scale * (0.1 + 16 * share(state) * share(state));
         random_direction(state, way);
         if (exact_random_int(state, 10) == 0) memcpy(way, r->direction, sizeof way);
@@ -309,7 +309,7 @@ TEST(nothing_exceeds_one) {
         random_look(&random, 0.2, &r);
         r.material.roughness = k % 4 == 0 ? 1e-300 : k % 4 == 1 ? 1e-3 : k % 4 == 2 ? 0.05 : 1;
         r.material.specular = r.material.diffuse = 1;
-        for (int l = 0; l < r.lighting.light_count; l++)
+        for (size_t l = 0; l < r.lighting.light_count; l++)
             for (int i = 0; i < 3; i++) r.lights[l].colour[i] *= 1000;
         assert_ok(algsurf_shade(&r.lighting, NULL, r.point, r.normal, r.direction, c));
         for (int i = 0; i < 3; i++) assert_true(c[i] >= 0 && c[i] <= 1);
@@ -326,7 +326,7 @@ TEST(burnt_out) {
     shiny.haze = 0, shiny.specular = 1;
     for (int i = 0; i < 6; i++) lights[i / 3].colour[i % 3] = 1000;
     for (int count = 1; count <= 2; count++) {
-        algsurf_lighting lighting = lighting_of(lights, count);
+        algsurf_lighting lighting = lighting_of(lights, (size_t)count);
         lighting.material = &shiny;
         assert_ok(algsurf_shade(&lighting, NULL, point, up, down, c));
         assert_true(c[0] == 1 && c[1] == 1 && c[2] == 1);
@@ -389,6 +389,22 @@ TEST(bad_samples) {
         refuse_sample(&light, 0, 0, ALGSURF_E_ARGUMENT);
         light = good, light.colour[i] = 1000.001;
         refuse_sample(&light, 0, 0, ALGSURF_E_ARGUMENT);
+    }
+    for (int kind = -2; kind <= 2; kind++) {
+        algsurf_light light = good;
+        light.kind = kind;
+        if (kind != ALGSURF_LIGHT_AREA) refuse_sample(&light, 0, 0, ALGSURF_E_ARGUMENT);
+    }
+    for (int i = 0; i < 8; i++) {
+        const double not_zero[] = {1, -0x1p-1074, NAN, INFINITY};
+        double p[3];
+        algsurf_light light = good;
+        light.reserved[i] = -0.0;
+        assert_ok(algsurf_light_sample(&light, 0, 0, p));
+        for (int k = 0; k < 4; k++) {
+            light.reserved[i] = not_zero[k];
+            refuse_sample(&light, 0, 0, ALGSURF_E_ARGUMENT);
+        }
     }
 }
 
@@ -454,10 +470,19 @@ TEST(bad_lighting) {
     refuse_lighting(&l, ALGSURF_E_ARGUMENT);
     l = good, l.lights = NULL;
     refuse_lighting(&l, ALGSURF_E_ARGUMENT);
-    l = good, l.light_count = -1;
+    l = good, l.light_count = SIZE_MAX;
     refuse_lighting(&l, ALGSURF_E_ARGUMENT);
     l = good, l.light_count = 17;
     refuse_lighting(&l, ALGSURF_E_ARGUMENT);
+#if SIZE_MAX > UINT32_MAX
+    l.light_count = (size_t)1 << 32; /* 0 as an int */
+    refuse_lighting(&l, ALGSURF_E_ARGUMENT);
+#endif
+    lights[1].kind = 1;
+    refuse_lighting(&good, ALGSURF_E_ARGUMENT);
+    lights[1].kind = ALGSURF_LIGHT_AREA, lights[1].reserved[0] = NAN;
+    refuse_lighting(&good, ALGSURF_E_ARGUMENT);
+    lights[1].reserved[0] = 0;
     lights[1].samples_v = 0;
     refuse_lighting(&good, ALGSURF_E_ARGUMENT);
     lights[1].samples_v = 1, lights[1].position[2] = NAN;

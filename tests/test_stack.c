@@ -624,8 +624,10 @@ static const algsurf_material material = {.size = sizeof material,
                                           .ambient = 0.2,
                                           .specular = 0.2,
                                           .roughness = 0.1};
-static const algsurf_light light = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 3, 3};
-static const algsurf_light spread = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 0, 0};
+static const algsurf_light light = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0},          {0, 1, 0},
+                                    3,         3,         ALGSURF_LIGHT_AREA, {0}};
+static const algsurf_light spread = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0},          {0, 1, 0},
+                                     0,         0,         ALGSURF_LIGHT_AREA, {0}};
 static const double grey[3] = {0.25, 0.25, 0.25};
 static const algsurf_lighting lighting = {.size = sizeof lighting,
                                           .material = &material,

@@ -81,10 +81,12 @@ static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a
 static place place_of(const algsurf_camera *camera, int size, const double point[3]) {
     double from_eye[3], scale = 0.5 * size / camera->half_height;
     for (int i = 0; i < 3; i++) from_eye[i] = point[i] - camera->eye[i];
-    double deep = dot(from_eye, camera->forward), shrunk = camera->orthographic ? 1 : deep;
+    double deep = dot(from_eye, camera->forward),
+           shrunk = camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? 1 : deep;
     return (place){0.5 * size + scale * dot(from_eye, camera->right) / shrunk,
                    0.5 * size - scale * dot(from_eye, camera->up) / shrunk,
-                   camera->orthographic ? deep : sqrt(dot(from_eye, from_eye)), shrunk / scale};
+                   camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC ? deep : sqrt(dot(from_eye, from_eye)),
+                   shrunk / scale};
 }
 
 static void random_camera(uint64_t *seed, double far, const double look[3], double fov, int parallel,

@@ -11,6 +11,12 @@
 extern "C" {
 #endif
 
+/* How space is projected. */
+typedef enum algsurf_camera_kind {
+    ALGSURF_CAMERA_PINHOLE = 0,     /* rays start at the eye */
+    ALGSURF_CAMERA_ORTHOGRAPHIC = 1 /* rays are parallel and start on a plane */
+} algsurf_camera_kind;
+
 /* A plain value; make it with one of the two functions below.  right, up, forward are orthonormal, and
  * forward = up x right: right x up points to the viewer. */
 typedef struct algsurf_camera {
@@ -18,7 +24,8 @@ typedef struct algsurf_camera {
     double right[3], up[3], forward[3]; /* in the picture to the right and upwards, and along the view */
     double half_height; /* of what the picture shows: at distance 1 from the eye (pinhole), everywhere
                            (orthographic) */
-    int orthographic;   /* 0 or 1 */
+    int kind;           /* an algsurf_camera_kind */
+    double reserved[8]; /* 0: numbers that later kinds may need */
 } algsurf_camera;
 
 /* A pinhole camera at eye that looks at a point; fov is the vertical field of view in degrees,
@@ -36,8 +43,8 @@ ALGSURF_API algsurf_status algsurf_camera_orthographic(const double eye[3], cons
 /* The ray through the point (x,y) of a width x height picture, or of its plane outside the picture: t_min =
  * 0, t_max = +inf, direction of unit length up to rounding, so that t is the distance from the eye (pinhole)
  * or from the plane (orthographic).
- * Errors: E_ARGUMENT (null, width or height < 1, a camera whose axes are not orthonormal or whose other
- * members are out of range), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, width or height < 1, a camera of an unknown kind, whose axes are not orthonormal,
+ * or whose other members are out of range), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x,
                                               double y, algsurf_ray *ray);
 

@@ -48,7 +48,8 @@ ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 /* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
  * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
  * are the defaults, a null complex space is real space, a null background is none, any other null is
- * E_ARGUMENT; so are colours and weights out of range (shade.h), and a camera whose axes are not orthonormal.
+ * E_ARGUMENT; so are colours and weights out of range (shade.h), and a camera or a light that camera.h and
+ * shade.h do not allow.
  * Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
@@ -57,7 +58,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, cons
  * null then.
  * Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
-                                                    int count);
+                                                    size_t count);
 /* The colour where nothing is seen, in linear light (shade.h); null: there is no background, and a picture
  * with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);

@@ -35,15 +35,24 @@ typedef struct algsurf_material {
     double haze;       /* how much of its shading the farthest point loses; 1: all of it */
 } algsurf_material;
 
+/* The shapes of a light. */
+typedef enum algsurf_light_kind {
+    ALGSURF_LIGHT_AREA = 0 /* a point or a parallelogram */
+} algsurf_light_kind;
+
 /* A light: a point, or the parallelogram position + p edge_u + q edge_v, |p|, |q| <= 1/2.  Shadows are
  * computed from samples_u x samples_v of its points: p = a / (samples_u - 1) - 1/2 for a = 0, 1, ...,
  * samples_u - 1 (p = 0 if samples_u is 1), and q likewise.  If both numbers are 0, a picture takes 32 points
- * of the light for each pixel, different ones for the next pixel, so that shadows have soft edges. */
+ * of the light for each pixel, different ones for the next pixel, so that shadows have soft edges.  Members
+ * that an initialiser leaves out are 0: {.position = ..., .colour = ..., .samples_u = 1, .samples_v = 1} is a
+ * point light. */
 typedef struct algsurf_light {
     double position[3];          /* of its middle, finite */
     double colour[3];            /* each from 0 to 1000; the weights of the default material are made for 1 */
     double edge_u[3], edge_v[3]; /* of the parallelogram, finite */
     int samples_u, samples_v;    /* 1..64 each; 1, 1 is a point light; or 0, 0 */
+    int kind;                    /* an algsurf_light_kind */
+    double reserved[8];          /* 0: numbers that later kinds may need */
 } algsurf_light;
 
 /* All that a colour depends on besides the point.  algsurf_scene_get_lighting() fills it for a scene. */
@@ -51,7 +60,7 @@ typedef struct algsurf_lighting {
     size_t size;                      /* sizeof(algsurf_lighting) */
     const algsurf_material *material; /* borrowed */
     const algsurf_light *lights;      /* borrowed; may be null if there are none */
-    int light_count;                  /* at most ALGSURF_MAX_LIGHTS */
+    size_t light_count;               /* at most ALGSURF_MAX_LIGHTS */
     double up[3], forward[3]; /* unit vectors: which way is up in the picture, and away from the viewer */
     double centre[3], radius; /* a ball about what is shown, radius > 0 */
     int bounded; /* 1: nothing is shown outside the ball.  0: something may be; in the formula below z is
@@ -59,8 +68,8 @@ typedef struct algsurf_lighting {
 } algsurf_lighting;
 
 /* Position of sample (a,b) of a light, 0 <= a < samples_u, 0 <= b < samples_v.
- * Errors: E_ARGUMENT (also a colour out of range, and a light with 0, 0 samples), E_NOT_FINITE (the light).
- * Since 1.0. */
+ * Errors: E_ARGUMENT (also a colour out of range, an unknown kind, and a light with 0, 0 samples),
+ * E_NOT_FINITE (the light).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
 /* The colour of a point, as pictures of standard and full quality show it.  The formula is this version's; a

@@ -21,6 +21,13 @@ static inline int algsurf_is_finite3(const double v[3]) {
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
 }
 
+/* Are all `count` numbers at x 0? */
+static inline int algsurf_are_zero(const double *x, int count) {
+    for (int i = 0; i < count; i++)
+        if (!(x[i] == 0)) return 0;
+    return 1;
+}
+
 /* The exponent e of x = f 2^e, 1/2 <= |f| < 1, kept within +-1000 so that 2^-e and the square of
  * x 2^-e neither overflow nor underflow.  x = 0 gives 0. */
 static inline int algsurf_scale_exponent(double x) {

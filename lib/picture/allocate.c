@@ -47,7 +47,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
-                   .shares = picture->shadows ? (size_t)picture->lighting.light_count + 1 : 0,
+                   .shares = picture->shadows ? picture->lighting.light_count + 1 : 0,
                    .taylor = picture->geometry && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
                              picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
@@ -147,7 +147,7 @@ static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame)
 }
 
 static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
-    for (int l = 0; picture->shadows && l < picture->lighting.light_count; l++) {
+    for (size_t l = 0; picture->shadows && l < picture->lighting.light_count; l++) {
         const size_t count = (size_t)(picture->lights[l].samples_u * picture->lights[l].samples_v);
         for (int k = 0; k < 2; k++) picture->samples[l][k] = take_doubles(a, count);
     }

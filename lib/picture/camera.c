@@ -41,8 +41,9 @@ static double tangent(double angle) {
 
 static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const double eye[3],
                                                    const double look_at[3], const double up[3],
-                                                   double aperture, int orthographic) {
-    algsurf_camera made = {.orthographic = orthographic};
+                                                   double aperture, algsurf_camera_kind kind) {
+    const int orthographic = kind == ALGSURF_CAMERA_ORTHOGRAPHIC;
+    algsurf_camera made = {.kind = (int)kind};
     if (!camera || !eye || !look_at || !up) return ALGSURF_E_ARGUMENT;
     if (!isfinite(aperture)) return ALGSURF_E_NOT_FINITE;
     if (!(aperture > 0) || (!orthographic && !(aperture < 180))) return ALGSURF_E_ARGUMENT;
@@ -56,14 +57,14 @@ static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const
 algsurf_status algsurf_camera_pinhole(const double eye[3], const double look_at[3], const double up[3],
                                       double fov, algsurf_camera *camera) {
     algsurf_status status;
-    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, fov, 0));
+    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, fov, ALGSURF_CAMERA_PINHOLE));
     return status;
 }
 
 algsurf_status algsurf_camera_orthographic(const double eye[3], const double look_at[3], const double up[3],
                                            double height, algsurf_camera *camera) {
     algsurf_status status;
-    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, height, 1));
+    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, height, ALGSURF_CAMERA_ORTHOGRAPHIC));
     return status;
 }
 
@@ -78,20 +79,22 @@ algsurf_status algsurf_i_camera_check(const algsurf_camera *camera) {
         if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= tolerance)) return ALGSURF_E_ARGUMENT;
         if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= tolerance)) return ALGSURF_E_ARGUMENT;
     }
-    if (!(camera->half_height > 0)) return ALGSURF_E_ARGUMENT;
-    return camera->orthographic == 0 || camera->orthographic == 1 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+    if (camera->kind != ALGSURF_CAMERA_PINHOLE && camera->kind != ALGSURF_CAMERA_ORTHOGRAPHIC)
+        return ALGSURF_E_ARGUMENT;
+    return camera->half_height > 0 && algsurf_are_zero(camera->reserved, 8) ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
 void algsurf_i_camera_ray(const algsurf_camera *camera, int width, int height, double x, double y,
                           algsurf_ray *ray) {
     double unit = camera->half_height / (0.5 * height); /* a pixel's edge on the image plane */
+    const int orthographic = algsurf_i_is_orthographic(camera);
     double u = (x - 0.5 * width) * unit, v = (0.5 * height - y) * unit, offset[3];
     for (int i = 0; i < 3; i++) offset[i] = u * camera->right[i] + v * camera->up[i];
     for (int i = 0; i < 3; i++) {
-        ray->origin[i] = camera->orthographic ? camera->eye[i] + offset[i] : camera->eye[i];
-        ray->direction[i] = camera->orthographic ? camera->forward[i] : camera->forward[i] + offset[i];
+        ray->origin[i] = orthographic ? camera->eye[i] + offset[i] : camera->eye[i];
+        ray->direction[i] = orthographic ? camera->forward[i] : camera->forward[i] + offset[i];
     }
-    if (!camera->orthographic) (void)algsurf_unit(ray->direction, ray->direction);
+    if (!orthographic) (void)algsurf_unit(ray->direction, ray->direction);
     ray->t_min = 0;
     ray->t_max = INFINITY;
 }

@@ -34,7 +34,7 @@ ALGSURF_KERNEL_TABLES(colour);
 /* Each: OK, E_ARGUMENT (null, out of range) or E_NOT_FINITE. */
 algsurf_status algsurf_i_colour_check(const double colour[3]);
 algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material);
-algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count);
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, size_t count);
 
 /* Where sample (a, b) of a light is, in its edges from its middle. */
 void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]);

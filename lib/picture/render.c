@@ -42,8 +42,8 @@ static int rays_are_finite(const algsurf_camera *camera, int width, int height) 
     return 1;
 }
 
-static int lights_are_finite(const algsurf_light *lights, int count) {
-    for (int l = 0; l < count; l++)
+static int lights_are_finite(const algsurf_light *lights, size_t count) {
+    for (size_t l = 0; l < count; l++)
         if (!algsurf_is_finite3(lights[l].position)) return 0;
     return 1;
 }

@@ -84,17 +84,17 @@ static algsurf_status set_material(algsurf_scene *scene, const algsurf_material 
 
 SETTER(material, const algsurf_material *)
 
-static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
+static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *lights, size_t count) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_lights_check(lights, count);
     if (status != ALGSURF_OK) return status;
-    for (int l = 0; l < count; l++) scene->lights[l] = lights[l];
-    scene->light_count = count;
+    for (size_t l = 0; l < count; l++) scene->lights[l] = lights[l];
+    scene->light_count = (int)count;
     return ALGSURF_OK;
 }
 
 ALGSURF_I_PUBLIC(algsurf_status, scene_set_lights, set_lights,
-                 (algsurf_scene * scene, const algsurf_light *lights, int count), (scene, lights, count))
+                 (algsurf_scene * scene, const algsurf_light *lights, size_t count), (scene, lights, count))
 
 /* A copy of a colour, black for null. */
 static algsurf_status copy_colour(const double colour[3], double copy[3]) {
@@ -214,7 +214,7 @@ void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *
         *radius = extent->size[0];
     else if (extent->kind == ALGSURF_EXTENT_BOX)
         *radius = algsurf_length(extent->size);
-    else if (camera->orthographic)
+    else if (algsurf_i_is_orthographic(camera))
         *radius = camera->half_height;
     else
         *radius = algsurf_length(camera->eye) * camera->half_height;
@@ -229,13 +229,13 @@ static double in_space(const algsurf_camera *camera, const double v[3], int i) {
 static void default_light(const algsurf_camera *camera, const double centre[3], double radius,
                           algsurf_light *light) {
     double far = LIGHT_DISTANCE * radius, wide = LIGHT_EDGE * far;
+    *light = (algsurf_light){.kind = ALGSURF_LIGHT_AREA};
     for (int i = 0; i < 3; i++) {
         light->position[i] = centre[i] + far * in_space(camera, light_place, i);
         light->edge_u[i] = wide * in_space(camera, light_edges[0], i);
         light->edge_v[i] = wide * in_space(camera, light_edges[1], i);
         light->colour[i] = 1;
     }
-    light->samples_u = light->samples_v = 0;
 }
 
 void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
@@ -243,7 +243,7 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
     *lighting = (algsurf_lighting){.size = sizeof *lighting,
                                    .material = &scene->material,
                                    .lights = lights,
-                                   .light_count = scene->light_count < 0 ? 1 : scene->light_count,
+                                   .light_count = scene->light_count < 0 ? 1 : (size_t)scene->light_count,
                                    .bounded = scene->extent.kind != ALGSURF_EXTENT_ALL};
     for (int i = 0; i < 3; i++) {
         lighting->up[i] = scene->camera.up[i];

@@ -33,9 +33,14 @@ void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *
 void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                               algsurf_lighting *lighting);
 
-/* OK; E_ARGUMENT (null, axes not orthonormal to 1e-9, half height not positive, orthographic not 0 or
- * 1) or E_NOT_FINITE. */
+/* OK; E_ARGUMENT (null, axes not orthonormal to 1e-9, half height not positive, an unknown kind, a reserved
+ * number that is not 0) or E_NOT_FINITE. */
 algsurf_status algsurf_i_camera_check(const algsurf_camera *camera);
+
+/* Of a checked camera. */
+static inline int algsurf_i_is_orthographic(const algsurf_camera *camera) {
+    return camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC;
+}
 
 /* algsurf_camera_ray for checked arguments, in the standard floating-point environment; the ray is
  * not finite when the picture reaches beyond the range of double. */

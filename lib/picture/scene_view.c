@@ -107,8 +107,8 @@ static double size_of_space(const algsurf_i_picture *picture, const double eye[3
     double aside = fmax(fabs(algsurf_dot(eye, camera->right)), fabs(algsurf_dot(eye, camera->up)));
     double away = fabs(algsurf_dot(eye, camera->forward)), more = algsurf_i_exp2(MORE / s->degree);
     double size = s->spread * (s->goes_far ? more : WHOLE);
-    double across = camera->orthographic ? ldexp(slope, -s->unit) : away * slope;
-    double most = camera->orthographic ? 4 : 4 - slope - 2 * aside / away;
+    double across = algsurf_i_is_orthographic(camera) ? ldexp(slope, -s->unit) : away * slope;
+    double most = algsurf_i_is_orthographic(camera) ? 4 : 4 - slope - 2 * aside / away;
     double all = most > 0 ? 1.1 * (aside + across) / most : HUGE_VAL;
     if (s->goes_far && !(1.02 * away < all)) all = 1.02 * away;
     return all > size && all < more * size ? all : size;
@@ -117,7 +117,8 @@ static double size_of_space(const algsurf_i_picture *picture, const double eye[3
 /* P's degree along the picture's rays, at most. */
 static int degree_along(const algsurf_surface *s, const algsurf_camera *camera) {
     const double *d = camera->forward;
-    return camera->orthographic ? s->degree_in[(d[0] != 0) + 2 * (d[1] != 0) + 4 * (d[2] != 0)] : s->degree;
+    return algsurf_i_is_orthographic(camera) ? s->degree_in[(d[0] != 0) + 2 * (d[1] != 0) + 4 * (d[2] != 0)]
+                                             : s->degree;
 }
 
 /* Planes that keep all of what is shown are left out.  Returns 0 where the distance of one
@@ -182,7 +183,7 @@ int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry
                                   .extent = &scene->extent,
                                   .degree = degree_along(scene->surface, camera),
                                   .thin_bends = p->thin_bends};
-    p->orthographic = camera->orthographic;
+    p->orthographic = algsurf_i_is_orthographic(camera);
     p->taylor = (algsurf_i_taylor){.usable = 0};
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)

@@ -130,7 +130,8 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
 #ifndef ALGSURF_NO_PICTURES
 /* The surface, lit by a square. */
 static algsurf_status make_scene(const problem *p, algsurf_scene **scene) {
-    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 5, 3};
+    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0},        {0, 0.5, 0},
+                                        5,          3,         ALGSURF_LIGHT_AREA, {0}};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     static const double eye[3] = {8, 5, 6}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;

@@ -44,16 +44,17 @@ static int samples_are_good(int u, int v) {
 
 static algsurf_status check_light(const algsurf_light *light) {
     if (!light || !samples_are_good(light->samples_u, light->samples_v)) return ALGSURF_E_ARGUMENT;
+    if (light->kind != ALGSURF_LIGHT_AREA || !algsurf_are_zero(light->reserved, 8)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(light->position) || !algsurf_is_finite3(light->edge_u) ||
         !algsurf_is_finite3(light->edge_v))
         return ALGSURF_E_NOT_FINITE;
     return check_range(light->colour, 3, BRIGHTEST);
 }
 
-algsurf_status algsurf_i_lights_check(const algsurf_light *lights, int count) {
-    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights)) return ALGSURF_E_ARGUMENT;
+algsurf_status algsurf_i_lights_check(const algsurf_light *lights, size_t count) {
+    if (count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = ALGSURF_OK;
-    for (int l = 0; status == ALGSURF_OK && l < count; l++) status = check_light(&lights[l]);
+    for (size_t l = 0; status == ALGSURF_OK && l < count; l++) status = check_light(&lights[l]);
     return status;
 }
 
@@ -84,7 +85,7 @@ static void place_light(const algsurf_light *light, const algsurf_lighting *ligh
 
 void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job) {
     *job = (algsurf_i_colour_job){.material = *lighting->material,
-                                  .light_count = preview ? 0 : lighting->light_count,
+                                  .light_count = preview ? 0 : (int)lighting->light_count,
                                   .frame.per_radius = 1 / fmax(lighting->radius, SHORTEST_RADIUS),
                                   .bounded = lighting->bounded,
                                   .preview = preview};
@@ -170,7 +171,7 @@ static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int 
     if (!is_unit(direction) || (algsurf_max_abs(normal) > 0 && !is_unit(normal))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_lighting(given, &lighting, &material);
     if (status != ALGSURF_OK) return status;
-    for (int l = 0; visible && l <= lighting.light_count; l++)
+    for (size_t l = 0; visible && l <= lighting.light_count; l++)
         if (!(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
     algsurf_i_colour_prepare(&lighting, preview, &job);
     find_colour(&job, point, normal, direction, visible, colour);

@@ -31,7 +31,7 @@ typedef struct algsurf_i_shadow_rays {
 size_t algsurf_i_shadow_memory(void) { return sizeof(algsurf_i_shadow_rays); }
 
 void algsurf_i_place_samples(algsurf_i_picture *picture) {
-    for (int l = 0; l < picture->lighting.light_count; l++) {
+    for (size_t l = 0; l < picture->lighting.light_count; l++) {
         const algsurf_light *light = &picture->lights[l];
         for (int i = 0; i < light->samples_u * light->samples_v; i++) {
             double place[2];
@@ -53,19 +53,21 @@ void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory) {
 enum { LIGHT_RAYS = ALGSURF_I_RAYS_OF_ONE, AMBIENT_RAYS = 16 }; /* for a pixel */
 #define AMBIENT_REACH 0.5                                       /* of the radius of what is shown */
 
+static int count_lights(const algsurf_i_picture *picture) { return (int)picture->lighting.light_count; }
+
 /* Of so many for a pixel, those of each of its n x n samples. */
 static int each_of(int all, int across) { return (all + across * across - 1) / (across * across); }
 
 /* Rays of a sample to a light, or, for light_count, around. */
 static int count_rays(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
     const algsurf_light *l = &picture->lights[light];
-    if (light == picture->lighting.light_count) return each_of(AMBIENT_RAYS, line->across);
+    if (light == count_lights(picture)) return each_of(AMBIENT_RAYS, line->across);
     return l->samples_u == 0 ? each_of(LIGHT_RAYS, line->across) : l->samples_u * l->samples_v;
 }
 
 static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
     const algsurf_i_geometry *geometry = picture->geometry;
-    const int rays = count_rays(picture, line, light), around = light == picture->lighting.light_count;
+    const int rays = count_rays(picture, line, light), around = light == count_lights(picture);
     algsurf_i_shadow_job job = {.ball = AMBIENT_REACH * picture->lighting.radius,
                                 .lattice = ALGSURF_I_LATTICE_STEP * line->across * line->across * rays,
                                 .extent_kind = picture->scene->extent.kind};
@@ -87,8 +89,7 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
 static void set_lattices(const algsurf_i_picture *picture, const algsurf_i_line *line, int row, int light,
                          int first, algsurf_i_starts *starts) {
     const int across = line->across, rays = count_rays(picture, line, light),
-              purpose =
-                  light < picture->lighting.light_count ? ALGSURF_I_FOR_LIGHT + light : ALGSURF_I_FOR_AMBIENT;
+              purpose = light < count_lights(picture) ? ALGSURF_I_FOR_LIGHT + light : ALGSURF_I_FOR_AMBIENT;
     for (int i = 0; i < starts->count; i++) {
         const int x = line->pixel[first + i], number = line->sample + x % line->dense;
         const algsurf_i_sample sample = {x / line->dense, row, number, across * across};
@@ -146,7 +147,7 @@ static algsurf_status see_one(algsurf_i_worker *worker, int row, int light, int 
     algsurf_i_starts *starts = &rays->starts;
     const int count = count_rays(picture, line, light);
     for (int i = 0; i < starts->count; i++) {
-        starts->seen[i] = line->visible + (first + i) * (picture->lighting.light_count + 1) + light;
+        starts->seen[i] = line->visible + (first + i) * (count_lights(picture) + 1) + light;
         *starts->seen[i] = 0;
     }
     if (!job->place[0]) set_lattices(picture, line, row, light, first, starts);
@@ -162,7 +163,7 @@ static algsurf_status see_one(algsurf_i_worker *worker, int row, int light, int 
 
 /* From counts to shares. */
 static void make_shares(const algsurf_i_picture *picture, const algsurf_i_line *line) {
-    int lights = picture->lighting.light_count;
+    const int lights = count_lights(picture);
     for (int l = 0; l <= lights; l++) {
         int all = count_rays(picture, line, l);
         for (int i = 0; i < line->count; i++) line->visible[i * (lights + 1) + l] /= all;
@@ -177,13 +178,13 @@ algsurf_status algsurf_i_render_shadows(algsurf_i_worker *worker, int row) {
     rays->count = 0;
     rays->undecided.count = 0;
     for (int i = 0; i < SHADOW_RAYS; i++) rays->t_max[i] = 1;
-    for (int l = 0; l <= picture->lighting.light_count; l++) rays->jobs[l] = job_of(picture, line, l);
+    for (int l = 0; l <= count_lights(picture); l++) rays->jobs[l] = job_of(picture, line, l);
     for (int first = 0; first < line->count; first += ALGSURF_I_STARTS) {
         int left = line->count - first, count = left < ALGSURF_I_STARTS ? left : ALGSURF_I_STARTS;
         if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
         picture->code->lift(&line->points, first, count, height, &rays->starts);
         if (rays->jobs[0].taylor) picture->code->expand(&rays->jobs[0], &rays->starts, &rays->solids);
-        for (int l = 0; l <= picture->lighting.light_count; l++) {
+        for (int l = 0; l <= count_lights(picture); l++) {
             algsurf_status status = see_one(worker, row, l, first);
             if (status < 0) return status;
         }

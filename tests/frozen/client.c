@@ -213,7 +213,7 @@ static void check_picture(const algsurf_surface *s) {
     const double eye[3] = {0, 0, 4}, look_at[3] = {0, 0, 0}, up[3] = {0, 1, 0}, black[3] = {0, 0, 0};
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
     const algsurf_material matt = {sizeof matt, {1, 0, 0}, {0, 1, 0}, 0.8, 0.2, 0, 0, 1, 0};
-    const algsurf_light light = {{0, 0, 9}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 2, 2};
+    const algsurf_light light = {{0, 0, 9}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 2, 2, ALGSURF_LIGHT_AREA, {0}};
     const algsurf_plane lower_half = {{0, 0, 1}, 0};
     algsurf_scene *scene = NULL;
     algsurf_camera camera;

@@ -23,7 +23,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const 
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
-                                                    int count);
+                                                    size_t count);
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 ALGSURF_API algsurf_status algsurf_scene_get_lighting(const algsurf_scene *scene,

@@ -17,17 +17,22 @@ typedef struct algsurf_material {
     double roughness;
     double haze;
 } algsurf_material;
+typedef enum algsurf_light_kind {
+    ALGSURF_LIGHT_AREA = 0
+} algsurf_light_kind;
 typedef struct algsurf_light {
     double position[3];
     double colour[3];
     double edge_u[3], edge_v[3];
     int samples_u, samples_v;
+    int kind;
+    double reserved[8];
 } algsurf_light;
 typedef struct algsurf_lighting {
     size_t size;
     const algsurf_material *material;
     const algsurf_light *lights;
-    int light_count;
+    size_t light_count;
     double up[3], forward[3];
     double centre[3], radius;
     int bounded;
