@@ -1,8 +1,8 @@
 /* test_layout.c - what compiled callers rely on: the size of every public struct, where its members lie, and
  * the numbers of the enumerators, as released.  The values are part of the ABI: lines are added, never
- * changed. A struct that starts with its size may grow at its end (GROWS); lib/algsurf.map says how. Breaks
- * caught: a member added, moved or given another type, an enumerator renumbered, a limit that is the length
- * of a public array changed.  check_symbols demands that every struct of the headers is here. */
+ * changed. A struct that starts with its size may grow at its end (GROWS), a limit may become larger (LIMIT);
+ * lib/algsurf.map says how. Breaks caught: a member added, moved or given another type, an enumerator
+ * renumbered, a limit made smaller.  check_symbols demands that every struct of the headers is here. */
 #include "algsurf/algsurf.h"
 #include "unit.h"
 
@@ -20,6 +20,8 @@ typedef struct fact {
     { "the place of " #type "." #member, (long long)offsetof(type, member), bytes, 0 }
 #define NUMBER(name, value)                                                                                  \
     { "the number of " #name, name, value, 0 }
+#define LIMIT(name, value)                                                                                   \
+    { "the limit " #name, name, value, 1 }
 
 /* clang-format off */
 static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and pointers have 64 */
@@ -189,9 +191,9 @@ static const fact numbers[] = { /* those of algsurf_status are in test_status.c 
     NUMBER(ALGSURF_QUALITY_PREVIEW, 0), NUMBER(ALGSURF_QUALITY_STANDARD, 1),
     NUMBER(ALGSURF_QUALITY_FULL, 2),
     NUMBER(ALGSURF_COHERENCE_NONE, 0), NUMBER(ALGSURF_COHERENCE_NEIGHBOURS, 1),
-    NUMBER(ALGSURF_MAX_DEGREE, 64), NUMBER(ALGSURF_MAX_POLY_DEGREE, 512), NUMBER(ALGSURF_MAX_LIMBS, 16384),
-    NUMBER(ALGSURF_MAX_LIGHTS, 16),
-    NUMBER(ALGSURF_MAX_CLIP_PLANES, 8),
+    NUMBER(ALGSURF_MAX_LIGHTS, 16), /* algsurf_scene_lighting may write as many */
+    LIMIT(ALGSURF_MAX_DEGREE, 64), LIMIT(ALGSURF_MAX_POLY_DEGREE, 512), LIMIT(ALGSURF_MAX_LIMBS, 16384),
+    LIMIT(ALGSURF_MAX_CLIP_PLANES, 8), LIMIT(ALGSURF_MAX_ROOT_BITS, 1000000),
 };
 /* clang-format on */
 

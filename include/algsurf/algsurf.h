@@ -20,11 +20,16 @@
  *                  results only the size is read, and bytes that the library does not know become 0;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
  *                  _bracket, _refined_root, _complex_root, _paper_zero; _term, _constant, _parse_error;
- *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int;
+ *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int.
+ *                  A camera or a light grows by new kinds, which may use its reserved numbers;
  *   algsurf_cell   is made by the library only, and may grow at its end;
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
- *                  refusal, an unknown positive one means undecided or stopped early.
+ *                  refusal, an unknown positive one means undecided or stopped early;
+ *   limits         ALGSURF_MAX_DEGREE, _POLY_DEGREE, _LIGHTS, _CLIP_PLANES, _LIMBS, _ROOT_BITS never become
+ *                  smaller.  _LIGHTS never changes, since algsurf_scene_lighting may write that many.  Others
+ *                  may become larger: how long an array for an answer has to be, algsurf_surface_degree
+ *                  tells, or the degree that was handed in.
  * The last digits of approximate values, the width of enclosures, the colours of pixels, what is undecided,
  * and how an answer was found (cells, tiles, ways, counts) may change with a version, within what is
  * guaranteed.  The rules that keep this are in lib/algsurf.map.
