@@ -13,9 +13,12 @@ enum { HOST_MAX_RAYS = 64, HOST_MAX_GEOMETRIES = 8, HOST_NONE = -1 };
 typedef struct host_rays {
     double org[3][HOST_MAX_RAYS], dir[3][HOST_MAX_RAYS];
     double tnear[HOST_MAX_RAYS];
-    double tfar[HOST_MAX_RAYS];  /* the end; then where the ray hit, or -inf when it is occluded */
-    double Ng[3][HOST_MAX_RAYS]; /* unit normal at the hit, on either side */
-    int geomID[HOST_MAX_RAYS];   /* what was hit, or HOST_NONE */
+    double tfar[HOST_MAX_RAYS];   /* the end; then where the ray hit, or -inf when it is occluded */
+    double Ng[3][HOST_MAX_RAYS];  /* unit normal at the hit, on either side */
+    int geomID[HOST_MAX_RAYS];    /* what was hit, or HOST_NONE */
+    int side[HOST_MAX_RAYS];      /* of a surface that was hit, the side the ray came from: the sign of P */
+    int from[HOST_MAX_RAYS];      /* what the ray starts on, or HOST_NONE */
+    int from_side[HOST_MAX_RAYS]; /* on which side of it: the `side` of that hit */
 } host_rays;
 
 typedef struct host_arguments {
@@ -41,6 +44,7 @@ typedef struct host_geometry {
     void (*intersect)(const host_arguments *arguments);
     void (*occluded)(const host_arguments *arguments);
     host_material material;
+    double lift; /* how far above a hit on it a new ray starts; 0 if it uses `from` instead */
 } host_geometry;
 
 typedef struct host_scene {
@@ -76,7 +80,7 @@ host_geometry host_floor_geometry(const host_floor *ground, const host_material 
 
 /* ---- host_renderer_trace.c ---- */
 
-/* Ray i, from org along dir until t = tfar; it has hit nothing yet. */
+/* Ray i, from org along dir until t = tfar; it starts on nothing, and has hit nothing yet. */
 void host_set_ray(host_rays *rays, int i, const double org[3], const double dir[3], double tfar);
 
 void host_commit(host_scene *scene);

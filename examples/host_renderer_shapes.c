@@ -67,10 +67,14 @@ static void floor_bounds(const void *user, host_bounds *b) {
     *b = (host_bounds){{-f->radius, -f->radius, f->height}, {f->radius, f->radius, f->height}};
 }
 
+/* Above the tangent plane: a point that rounding has put below it would cover itself for every ray that
+ * leaves at a low angle, whatever its tnear.  A millionth of a unit is invisible. */
+static const double LIFT = 1e-6;
+
 host_geometry host_ball_geometry(const host_ball *ball, const host_material *material) {
-    return (host_geometry){ball, ball_bounds, ball_intersect, ball_occluded, *material};
+    return (host_geometry){ball, ball_bounds, ball_intersect, ball_occluded, *material, LIFT};
 }
 
 host_geometry host_floor_geometry(const host_floor *ground, const host_material *material) {
-    return (host_geometry){ground, floor_bounds, floor_intersect, floor_occluded, *material};
+    return (host_geometry){ground, floor_bounds, floor_intersect, floor_occluded, *material, LIFT};
 }

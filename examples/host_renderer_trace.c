@@ -1,16 +1,14 @@
 /* host_renderer_trace.c - Whitted's ray tracing, N rays at a time: hit, shadow, mirror.
  *
- * A ray that starts at a hit starts a little above the tangent plane, on the side it was seen from.  Along
- * the normal, not along the new ray: a point that rounding has put below the surface would cover itself for
- * every ray that leaves at a low angle, whatever its tnear.  t and the point are known to some 2^-53 of
- * |t| + |point|; 2^-48 leaves room for ill-conditioned roots, and a millionth of a unit is invisible.
+ * A new ray starts at a hit on the side it was seen from: a little above it where the geometry has a lift,
+ * else exactly there, and the ray tells the geometry what it starts on.
  */
 #include <math.h>
 #include <string.h>
 
 #include "host_renderer_host.h"
 
-static const double LIFT = 1e-6, AMBIENT = 0.25, SHINE = 0.6;
+static const double AMBIENT = 0.25, SHINE = 0.6;
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -21,7 +19,7 @@ void host_set_ray(host_rays *r, int i, const double org[3], const double dir[3],
     }
     r->tnear[i] = 0;
     r->tfar[i] = tfar;
-    r->geomID[i] = HOST_NONE;
+    r->geomID[i] = r->from[i] = HOST_NONE;
 }
 
 /* ---- which geometries a ray may meet, and what comes of it ---- */
@@ -58,7 +56,8 @@ static void visit(const host_scene *scene, host_rays *rays, const int *valid, in
 
 typedef struct hit {
     double dir[3];                        /* of the ray */
-    double point[3], start[3], normal[3]; /* start: above the point; normal: to the viewer's side */
+    double point[3], start[3], normal[3]; /* start: of new rays; normal: to the viewer's side */
+    int geomID, side;
     double base[3], mirror;
 } hit;
 
@@ -69,21 +68,28 @@ static void sky(double height, double colour[3]) {
 }
 
 static hit hit_of(const host_scene *scene, const host_rays *r, int i) {
-    const host_material *m = &scene->geometry[r->geomID[i]].material;
-    hit h = {.dir = {r->dir[0][i], r->dir[1][i], r->dir[2][i]}};
-    double n[3] = {r->Ng[0][i], r->Ng[1][i], r->Ng[2][i]}, size = fabs(r->tfar[i]);
+    const host_geometry *geometry = &scene->geometry[r->geomID[i]];
+    const host_material *m = &geometry->material;
+    hit h = {.dir = {r->dir[0][i], r->dir[1][i], r->dir[2][i]}, .geomID = r->geomID[i], .side = r->side[i]};
+    double n[3] = {r->Ng[0][i], r->Ng[1][i], r->Ng[2][i]};
     double cosine = -dot(n, h.dir);
     int back = cosine < 0;
     for (int k = 0; k < 3; k++) {
         h.point[k] = r->org[k][i] + r->tfar[i] * h.dir[k];
         h.normal[k] = dot(n, n) == 0 ? -h.dir[k] : back ? -n[k] : n[k]; /* a singular point has no normal */
-        size = fmax(size, fabs(h.point[k]));
+        h.start[k] = h.point[k] + geometry->lift * h.normal[k];
     }
-    for (int k = 0; k < 3; k++) h.start[k] = h.point[k] + (LIFT + 0x1p-48 * size) * h.normal[k];
     if (m->chequered) back = ((int)floor(h.point[0]) + (int)floor(h.point[1])) & 1;
     memcpy(h.base, back ? m->back : m->front, sizeof h.base);
     h.mirror = m->mirror + (1 - m->mirror) * pow(1 - fmin(fabs(cosine), 1), 5); /* Schlick 1994 */
     return h;
+}
+
+/* Ray i, which goes on from a hit. */
+static void go_on(const hit *h, host_rays *r, int i, const double dir[3], double tfar) {
+    host_set_ray(r, i, h->start, dir, tfar);
+    r->from[i] = h->geomID;
+    r->from_side[i] = h->side;
 }
 
 /* What is seen along ray i without light from the lamp, and the ray to it; 0 when nothing is hit. */
@@ -97,7 +103,7 @@ static int begin(const host_scene *scene, const host_rays *rays, int i, const do
         colour[k] = AMBIENT * h->base[k] * (0.75 + 0.25 * h->normal[2]);
         dir[k] = lamp[k] - h->start[k];
     }
-    host_set_ray(to_lamp, i, h->start, dir, 1);
+    go_on(h, to_lamp, i, dir, 1);
     return 1;
 }
 
@@ -132,7 +138,7 @@ void host_trace(const host_scene *scene, host_rays *rays, const int *valid, int 
         if (!mirrored[i]) continue;
         double along = 2 * dot(h->dir, h->normal), away[3];
         for (int k = 0; k < 3; k++) away[k] = h->dir[k] - along * h->normal[k];
-        host_set_ray(&next, i, h->start, away, INFINITY);
+        go_on(h, &next, i, away, INFINITY);
     }
     if (!mirrors) return;
     host_trace(scene, &next, mirrored, N, a, b, depth - 1, seen);
