@@ -2,7 +2,12 @@
  *
  * The callbacks are the part to copy.  main traces the same rays through rtcIntersect1, 4, 8, 16 and
  * rtcOccluded1, 4, 8, 16 with flush-to-zero and denormals-are-zero on, as Embree's manual asks, over a floor
- * of two triangles, and compares every answer with algsurf_intersect_first.  Exit status 1 if any differs.
+ * of two triangles, and compares every answer with algsurf_intersect_first.  A fifth of the rays start where
+ * others hit the surface.  Exit status 1 if any answer differs.
+ *
+ * Rays that start on the surface need no epsilon, although floats put their origin some 1e-7 beside it: the
+ * context that Embree hands on tells on which side each ray starts, by its id, and only hits from that side
+ * count (options.side).
  *
  *     cc -O2 -I../include embree_geometry.c $(find ../lib -name "*.c") -lembree3 -lm -pthread
  */
@@ -23,10 +28,17 @@ typedef struct user_surface {
     algsurf_extent extent; /* a ball */
 } user_surface;
 
+/* What rtcIntersect and rtcOccluded are given. */
+typedef struct user_context {
+    struct RTCIntersectContext embree; /* the first member */
+    const signed char *side; /* of the surface that the ray with that id starts on: -1, 1; 0: it does not */
+} user_context;
+
 enum { LANES = 16 }; /* rays that are handed on together */
 
 /* Embree's rays are structures of arrays of N floats: ray.org_x[N], org_y[N], ... hit.Ng_x[N], ... */
-enum { ORG = 0, TNEAR = 3, DIR = 4, TFAR = 8, NG = 12, U = 15, V = 16, PRIM = 17, GEOM = 18, INST = 19 };
+enum { ORG = 0, TNEAR = 3, DIR = 4, TFAR = 8, ID = 10 };
+enum { NG = 12, U = 15, V = 16, PRIM = 17, GEOM = 18, INST = 19 };
 
 static void bounds(const struct RTCBoundsFunctionArguments *a) {
     const user_surface *s = a->geometryUserPtr;
@@ -39,15 +51,21 @@ static void bounds(const struct RTCBoundsFunctionArguments *a) {
     *a->bounds_o = (struct RTCBounds){lower[0], lower[1], lower[2], 0, upper[0], upper[1], upper[2], 0};
 }
 
-/* At most LANES rays as doubles: those of N from `first` on. */
+/* At most LANES rays as doubles: those of N from `first` on; active are those that start on one side. */
 typedef struct lanes {
     double org[3][LANES], dir[3][LANES], t_min[LANES], t_max[LANES];
     unsigned char active[LANES];
+    int any;
+    algsurf_intersect_options how;
     algsurf_ray_packet packet;
 } lanes;
 
-static void load(lanes *l, const float *ray, const int *valid, unsigned N, unsigned first) {
+static void load(lanes *l, const float *ray, const int *valid, unsigned N, unsigned first,
+                 const struct RTCIntersectContext *context, int side) {
+    const signed char *sides = ((const user_context *)context)->side;
+    const unsigned *id = (const unsigned *)ray + ID * N + first;
     unsigned count = N - first < LANES ? N - first : LANES;
+    l->any = 0;
     for (unsigned i = 0; i < count; i++) {
         for (unsigned k = 0; k < 3; k++) {
             l->org[k][i] = ray[(ORG + k) * N + first + i];
@@ -55,8 +73,9 @@ static void load(lanes *l, const float *ray, const int *valid, unsigned N, unsig
         }
         l->t_min[i] = ray[TNEAR * N + first + i];
         l->t_max[i] = ray[TFAR * N + first + i];
-        l->active[i] = valid[first + i] != 0;
+        l->any |= l->active[i] = valid[first + i] && sides[id[i]] == side;
     }
+    l->how = (algsurf_intersect_options){.size = sizeof l->how, .side = side};
     l->packet = (algsurf_ray_packet){.size = sizeof l->packet,
                                      .count = count,
                                      .origin = {l->org[0], l->org[1], l->org[2]},
@@ -66,40 +85,46 @@ static void load(lanes *l, const float *ray, const int *valid, unsigned N, unsig
                                      .active = l->active};
 }
 
-static void intersect(const struct RTCIntersectFunctionNArguments *a) {
+static void intersect_lanes(const struct RTCIntersectFunctionNArguments *a, unsigned first, int side) {
     const user_surface *s = a->geometryUserPtr;
     float *ray = (float *)a->rayhit;
     unsigned *id = (unsigned *)a->rayhit, N = a->N;
-    for (unsigned first = 0; first < N; first += LANES) {
-        lanes l;
-        unsigned char state[LANES];
-        double t[LANES], n[3][LANES];
-        algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t, .normal = {n[0], n[1], n[2]}};
-        load(&l, ray, a->valid, N, first);
-        if (algsurf_intersect_packet(s->surface, &s->extent, &l.packet, NULL, &hits) < 0) continue;
-        for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
-            if (!l.active[i] || state[i] == ALGSURF_STATE_MISS) continue;
-            ray[TFAR * N + j] = (float)t[i];
-            for (unsigned k = 0; k < 3; k++) ray[(NG + k) * N + j] = (float)n[k][i];
-            ray[U * N + j] = ray[V * N + j] = 0;
-            id[PRIM * N + j] = a->primID;
-            id[GEOM * N + j] = a->geomID;
-            id[INST * N + j] = a->context->instID[0];
-        }
+    lanes l;
+    unsigned char state[LANES];
+    double t[LANES], n[3][LANES];
+    algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t, .normal = {n[0], n[1], n[2]}};
+    load(&l, ray, a->valid, N, first, a->context, side);
+    if (!l.any || algsurf_intersect_packet(s->surface, &s->extent, &l.packet, &l.how, &hits) < 0) return;
+    for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
+        if (!l.active[i] || state[i] == ALGSURF_STATE_MISS) continue;
+        ray[TFAR * N + j] = (float)t[i];
+        for (unsigned k = 0; k < 3; k++) ray[(NG + k) * N + j] = (float)n[k][i];
+        ray[U * N + j] = ray[V * N + j] = 0;
+        id[PRIM * N + j] = a->primID;
+        id[GEOM * N + j] = a->geomID;
+        id[INST * N + j] = a->context->instID[0];
     }
 }
 
-static void occluded(const struct RTCOccludedFunctionNArguments *a) {
+static void intersect(const struct RTCIntersectFunctionNArguments *a) {
+    for (unsigned first = 0; first < a->N; first += LANES)
+        for (int side = -1; side <= 1; side++) intersect_lanes(a, first, side);
+}
+
+static void occluded_lanes(const struct RTCOccludedFunctionNArguments *a, unsigned first, int side) {
     const user_surface *s = a->geometryUserPtr;
     float *ray = (float *)a->ray;
-    for (unsigned first = 0; first < a->N; first += LANES) {
-        lanes l;
-        unsigned char state[LANES];
-        load(&l, ray, a->valid, a->N, first);
-        if (algsurf_occluded_packet(s->surface, &s->extent, &l.packet, NULL, state) < 0) continue;
-        for (unsigned i = 0; i < l.packet.count; i++)
-            if (l.active[i] && state[i] != ALGSURF_STATE_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
-    }
+    lanes l;
+    unsigned char state[LANES];
+    load(&l, ray, a->valid, a->N, first, a->context, side);
+    if (!l.any || algsurf_occluded_packet(s->surface, &s->extent, &l.packet, &l.how, state) < 0) return;
+    for (unsigned i = 0; i < l.packet.count; i++)
+        if (l.active[i] && state[i] != ALGSURF_STATE_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
+}
+
+static void occluded(const struct RTCOccludedFunctionNArguments *a) {
+    for (unsigned first = 0; first < a->N; first += LANES)
+        for (int side = -1; side <= 1; side++) occluded_lanes(a, first, side);
 }
 
 static void attach_surface(RTCDevice device, RTCScene scene, user_surface *s, unsigned geomID) {
@@ -139,9 +164,13 @@ static float uniform(void) { /* in [-1,1): Knuth's linear congruential generator
     return (float)(state >> 40) * 0x1p-23f - 1;
 }
 
+static struct RTCRayHit rays[RAYS], want[RAYS];
+static signed char side[RAYS], left[RAYS]; /* where rays start; where they met the surface */
+
 /* A ray towards the middle of things; every sixteenth has a subnormal component. */
 static struct RTCRayHit make_ray(int number) {
-    struct RTCRayHit r = {.ray = {.tfar = INFINITY, .mask = -1u}, .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
+    struct RTCRayHit r = {.ray = {.tfar = INFINITY, .mask = -1u, .id = (unsigned)number},
+                          .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
     r.ray.org_x = 5 * uniform();
     r.ray.org_y = 5 * uniform();
     r.ray.org_z = 3 + 2 * uniform();
@@ -151,19 +180,34 @@ static struct RTCRayHit make_ray(int number) {
     return r;
 }
 
+/* From where another ray met the surface: mirrored, and a little aside. */
+static struct RTCRayHit make_next(int number, const struct RTCRayHit *last) {
+    struct RTCRayHit r = make_ray(number);
+    const struct RTCHit *h = &last->hit;
+    const float *o = &last->ray.org_x, *d = &last->ray.dir_x, n[3] = {h->Ng_x, h->Ng_y, h->Ng_z};
+    const float along = 2 * (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
+    for (int k = 0; k < 3; k++) {
+        (&r.ray.org_x)[k] = o[k] + last->ray.tfar * d[k];
+        (&r.ray.dir_x)[k] = d[k] - along * n[k] * (1 + 0.5f * uniform());
+    }
+    return r;
+}
+
 /* What single rays say: the floor alone from Embree, the surface, up to there, from the library. */
 static struct RTCRayHit truth(RTCScene floor, const user_surface *s, struct RTCRayHit r) {
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(floor, &context, &r);
+    const algsurf_intersect_options how = {.size = sizeof how, .side = side[r.ray.id]};
+    user_context context = {.side = side};
+    rtcInitIntersectContext(&context.embree);
+    rtcIntersect1(floor, &context.embree, &r);
     const algsurf_ray ray = {{r.ray.org_x, r.ray.org_y, r.ray.org_z},
                              {r.ray.dir_x, r.ray.dir_y, r.ray.dir_z},
                              r.ray.tnear,
                              r.ray.tfar};
     algsurf_hit hit;
-    if (algsurf_intersect_first(s->surface, &s->extent, &ray, NULL, &hit) < 0) exit(1);
+    if (algsurf_intersect_first(s->surface, &s->extent, &ray, &how, &hit) < 0) exit(1);
     if (hit.state == ALGSURF_STATE_MISS) return r;
     r.ray.tfar = (float)hit.t;
+    left[r.ray.id] = (signed char)hit.side;
     r.hit = (struct RTCHit){.Ng_x = (float)hit.normal[0],
                             .Ng_y = (float)hit.normal[1],
                             .Ng_z = (float)hit.normal[2],
@@ -172,32 +216,31 @@ static struct RTCRayHit truth(RTCScene floor, const user_surface *s, struct RTCR
 }
 
 /* Traces N rays of which some are not valid and hold anything. */
-static void trace(RTCScene scene, const int *valid, unsigned N, int shadow, float *rays) {
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    void *p = rays;
-    if (N == 1 && shadow) rtcOccluded1(scene, &context, p);
-    if (N == 1 && !shadow) rtcIntersect1(scene, &context, p);
-    if (N == 4 && shadow) rtcOccluded4(valid, scene, &context, p);
-    if (N == 4 && !shadow) rtcIntersect4(valid, scene, &context, p);
-    if (N == 8 && shadow) rtcOccluded8(valid, scene, &context, p);
-    if (N == 8 && !shadow) rtcIntersect8(valid, scene, &context, p);
-    if (N == 16 && shadow) rtcOccluded16(valid, scene, &context, p);
-    if (N == 16 && !shadow) rtcIntersect16(valid, scene, &context, p);
+static void trace(RTCScene scene, const int *valid, unsigned N, int shadow, void *p) {
+    user_context user = {.side = side};
+    struct RTCIntersectContext *context = &user.embree;
+    rtcInitIntersectContext(context);
+    if (N == 1 && shadow) rtcOccluded1(scene, context, p);
+    if (N == 1 && !shadow) rtcIntersect1(scene, context, p);
+    if (N == 4 && shadow) rtcOccluded4(valid, scene, context, p);
+    if (N == 4 && !shadow) rtcIntersect4(valid, scene, context, p);
+    if (N == 8 && shadow) rtcOccluded8(valid, scene, context, p);
+    if (N == 8 && !shadow) rtcIntersect8(valid, scene, context, p);
+    if (N == 16 && shadow) rtcOccluded16(valid, scene, context, p);
+    if (N == 16 && !shadow) rtcIntersect16(valid, scene, context, p);
 }
 
-static int agrees(const struct RTCRayHit *got, const struct RTCRayHit *want, int shadow) {
-    int met = want->hit.geomID != RTC_INVALID_GEOMETRY_ID;
+static int agrees(const struct RTCRayHit *got, const struct RTCRayHit *wanted, int shadow) {
+    int met = wanted->hit.geomID != RTC_INVALID_GEOMETRY_ID;
     if (shadow) return got->ray.tfar == (met ? -INFINITY : INFINITY);
-    if (got->hit.geomID != want->hit.geomID) return 0;
+    if (got->hit.geomID != wanted->hit.geomID) return 0;
     if (!met) return got->ray.tfar == INFINITY;
-    return got->ray.tfar == want->ray.tfar && got->hit.Ng_x == want->hit.Ng_x &&
-           got->hit.Ng_y == want->hit.Ng_y && got->hit.Ng_z == want->hit.Ng_z; /* the same bits */
+    return got->ray.tfar == wanted->ray.tfar && got->hit.Ng_x == wanted->hit.Ng_x &&
+           got->hit.Ng_y == wanted->hit.Ng_y && got->hit.Ng_z == wanted->hit.Ng_z; /* the same bits */
 }
 
 /* All rays, N at a time; returns how many answers differ from those wanted. */
-static int check(RTCScene scene, const struct RTCRayHit *rays, const struct RTCRayHit *want, unsigned N,
-                 int shadow) {
+static int check(RTCScene scene, unsigned N, int shadow) {
     _Alignas(64) float packet[MEMBERS * LANES];
     _Alignas(64) int valid[LANES];
     int differ = 0;
@@ -224,7 +267,6 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s: takes no arguments\n", argv[0]);
         return 2;
     }
-    static struct RTCRayHit rays[RAYS], want[RAYS];
     user_surface s = {.extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}}};
     const char *barth = "4(a x^2 - y^2)(a y^2 - z^2)(a z^2 - x^2) = b (x^2 + y^2 + z^2 - 1)^2";
     const algsurf_constant constants[2] = {{"a", (3 + sqrt(5)) / 2}, {"b", 2 + sqrt(5)}};
@@ -241,16 +283,21 @@ int main(int argc, char **argv) {
     rtcCommitScene(floor);
     rtcCommitScene(scene);
 
-    int surface = 0, ground = 0, wrong = 0;
+    int surface = 0, ground = 0, started = 0, stuck = 0, wrong = 0;
     for (int i = 0; i < RAYS; i++) {
-        rays[i] = make_ray(i);
+        const int last = i - RAYS / 2;
+        side[i] = last >= 0 ? left[last] : 0;
+        rays[i] = side[i] ? make_next(i, &want[last]) : make_ray(i);
         want[i] = truth(floor, &s, rays[i]);
+        started += side[i] != 0;
+        stuck += side[i] != 0 && want[i].ray.tfar < 1e-4f;
         surface += want[i].hit.geomID == SURFACE;
         ground += want[i].hit.geomID == FLOOR;
     }
     printf("%d rays: %d hit the surface first, %d the floor\n", RAYS, surface, ground);
+    printf("%d rays start on the surface: %d meet it there again\n", started, stuck);
     for (unsigned N = 1; N <= LANES; N = N == 1 ? 4 : 2 * N) {
-        int hits = check(scene, rays, want, N, 0), shadows = check(scene, rays, want, N, 1);
+        int hits = check(scene, N, 0), shadows = check(scene, N, 1);
         printf("%2u at a time: %d first hits and %d occlusions differ from single rays\n", N, hits, shadows);
         wrong += hits + shadows;
     }
@@ -261,5 +308,6 @@ int main(int argc, char **argv) {
     rtcReleaseScene(floor);
     rtcReleaseDevice(device);
     algsurf_surface_free(s.surface);
-    return wrong > 0 || !kept || surface < RAYS / 10 || ground < RAYS / 10;
+    return wrong > 0 || !kept || surface < RAYS / 10 || ground < RAYS / 10 || started < RAYS / 10 ||
+           stuck > 0;
 }
