@@ -90,13 +90,15 @@ static void intersect_lanes(const struct RTCIntersectFunctionNArguments *a, unsi
     float *ray = (float *)a->rayhit;
     unsigned *id = (unsigned *)a->rayhit, N = a->N;
     lanes l;
-    unsigned char state[LANES];
+    unsigned char state[LANES] = {ALGSURF_STATE_MISS}; /* as is 0 */
     double t[LANES], n[3][LANES];
     algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t, .normal = {n[0], n[1], n[2]}};
     load(&l, ray, a->valid, N, first, a->context, side);
-    if (!l.any || algsurf_intersect_packet(s->surface, &s->extent, &l.packet, &l.how, &hits) < 0) return;
+    if (!l.any) return;
+    (void)algsurf_intersect_packet(s->surface, &s->extent, &l.packet, &l.how,
+                                   &hits); /* a bad ray is refused alone */
     for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
-        if (!l.active[i] || state[i] == ALGSURF_STATE_MISS) continue;
+        if (!l.active[i] || state[i] != ALGSURF_STATE_HIT) continue;
         ray[TFAR * N + j] = (float)t[i];
         for (unsigned k = 0; k < 3; k++) ray[(NG + k) * N + j] = (float)n[k][i];
         ray[U * N + j] = ray[V * N + j] = 0;
@@ -115,11 +117,12 @@ static void occluded_lanes(const struct RTCOccludedFunctionNArguments *a, unsign
     const user_surface *s = a->geometryUserPtr;
     float *ray = (float *)a->ray;
     lanes l;
-    unsigned char state[LANES];
+    unsigned char state[LANES] = {ALGSURF_STATE_MISS}; /* as is 0 */
     load(&l, ray, a->valid, a->N, first, a->context, side);
-    if (!l.any || algsurf_occluded_packet(s->surface, &s->extent, &l.packet, &l.how, state) < 0) return;
+    if (!l.any) return;
+    (void)algsurf_occluded_packet(s->surface, &s->extent, &l.packet, &l.how, state);
     for (unsigned i = 0; i < l.packet.count; i++)
-        if (l.active[i] && state[i] != ALGSURF_STATE_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
+        if (l.active[i] && state[i] == ALGSURF_STATE_HIT) ray[TFAR * a->N + first + i] = -INFINITY;
 }
 
 static void occluded(const struct RTCOccludedFunctionNArguments *a) {

@@ -105,7 +105,7 @@ static void take_hit(const host_arguments *a, int i, const algsurf_hit *hit) {
 static void intersect_packet(const host_arguments *a, int side) {
     const host_surface *s = a->user;
     const algsurf_intersect_options how = options_of(side);
-    unsigned char active[HOST_MAX_RAYS], state[HOST_MAX_RAYS];
+    unsigned char active[HOST_MAX_RAYS], state[HOST_MAX_RAYS] = {ALGSURF_STATE_MISS}; /* as is 0 */
     signed char from[HOST_MAX_RAYS];
     double t[HOST_MAX_RAYS], at[3][HOST_MAX_RAYS], normal[3][HOST_MAX_RAYS];
     if (choose(a, side, active) == 0) return;
@@ -116,9 +116,10 @@ static void intersect_packet(const host_arguments *a, int side) {
                                .position = {at[0], at[1], at[2]},
                                .normal = {normal[0], normal[1], normal[2]},
                                .side = from};
-    if (algsurf_intersect_packet(s->surface, &s->extent, &rays, &how, &hits) < 0) return;
+    (void)algsurf_intersect_packet(s->surface, &s->extent, &rays, &how,
+                                   &hits); /* a bad ray is refused alone */
     for (int i = 0; i < a->N; i++) {
-        if (!active[i] || state[i] == ALGSURF_STATE_MISS) continue;
+        if (!active[i] || state[i] != ALGSURF_STATE_HIT) continue;
         algsurf_hit hit = {.side = from[i],
                            .t = t[i],
                            .position = {at[0][i], at[1][i], at[2][i]},
@@ -136,7 +137,7 @@ static void intersect(const host_arguments *a) {
         algsurf_ray ray = ray_of(a->rays, 0);
         algsurf_hit hit;
         if (algsurf_intersect_first(s->surface, &s->extent, &ray, &how, &hit) < 0) return;
-        if (hit.state != ALGSURF_STATE_MISS) take_hit(a, 0, &hit);
+        if (hit.state == ALGSURF_STATE_HIT) take_hit(a, 0, &hit);
     }
 }
 
@@ -152,12 +153,12 @@ static void take_occluder(const host_arguments *a, int i) {
 static void occluded_packet(const host_arguments *a, int side) {
     const host_surface *s = a->user;
     const algsurf_intersect_options how = options_of(side);
-    unsigned char active[HOST_MAX_RAYS], state[HOST_MAX_RAYS];
+    unsigned char active[HOST_MAX_RAYS], state[HOST_MAX_RAYS] = {ALGSURF_STATE_MISS}; /* as is 0 */
     if (choose(a, side, active) == 0) return;
     algsurf_ray_packet rays = packet_of(a, active);
-    if (algsurf_occluded_packet(s->surface, &s->extent, &rays, &how, state) < 0) return;
+    (void)algsurf_occluded_packet(s->surface, &s->extent, &rays, &how, state);
     for (int i = 0; i < a->N; i++)
-        if (active[i] && state[i] != ALGSURF_STATE_MISS) take_occluder(a, i);
+        if (active[i] && state[i] == ALGSURF_STATE_HIT) take_occluder(a, i);
 }
 
 static void occluded(const host_arguments *a) {
@@ -169,7 +170,7 @@ static void occluded(const host_arguments *a) {
         algsurf_ray ray = ray_of(a->rays, 0);
         int state;
         if (algsurf_occluded(s->surface, &s->extent, &ray, &how, &state) < 0) return;
-        if (state != ALGSURF_STATE_MISS) take_occluder(a, 0);
+        if (state == ALGSURF_STATE_HIT) take_occluder(a, 0);
     }
 }
 

@@ -26,10 +26,8 @@
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
  *                  refusal, an unknown positive one means undecided or stopped early;
- *   limits         ALGSURF_MAX_DEGREE, _POLY_DEGREE, _LIGHTS, _CLIP_PLANES, _LIMBS, _ROOT_BITS never become
- *                  smaller.  _LIGHTS never changes, since algsurf_scene_lighting may write that many.  Others
- *                  may become larger: how long an array for an answer has to be, algsurf_surface_degree
- *                  tells, or the degree that was handed in.
+ *   limits         ALGSURF_MAX_DEGREE, _MAX_POLY_DEGREE and _MAX_LIGHTS stay: programs size arrays by them.
+ *                  _MAX_CLIP_PLANES, _MAX_LIMBS and _MAX_ROOT_BITS may become larger.
  * The last digits of approximate values, the width of enclosures, the colours of pixels, what is undecided,
  * and how an answer was found (cells, tiles, ways, counts) may change with a version, within what is
  * guaranteed.  The rules that keep this are in lib/algsurf.map.

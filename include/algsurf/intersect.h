@@ -149,11 +149,12 @@ ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, cons
  *   ray, hit  as given to algsurf_intersect_first, and as it returned them
  *   side      hit->side is the side that the ray comes from, -hit->side, as a rule, the one that it goes to
  *   start     the point: from the position along the normal, or, where that is 0, along the ray; 2^-53 to
- *             2^-20 times the size of the position, or of the surface if that is more, away
+ *             2^-20 times the size of the position, or of the surface if that is more, away: as a rule as far
+ *             as it takes that doubles decide rays from there, too, some 2^-40
  * Guarantee: the sign of P at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such
  * point so near, as beyond a double root: start is untouched then.
  * Errors: E_ARGUMENT (null, side not -1 or 1, a hit whose state is not ALGSURF_STATE_HIT, bad ray),
- * E_NOT_FINITE.  Cost: as a rule that of two to ten calls of algsurf_surface_value.  Since 1.0. */
+ * E_NOT_FINITE.  Cost: as a rule that of four calls of algsurf_surface_value.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_hit_leave(const algsurf_surface *surface, const algsurf_ray *ray,
                                              const algsurf_hit *hit, int side, double start[3]);
 

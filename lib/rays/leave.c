@@ -1,8 +1,9 @@
 /* leave.c - a point beside a hit, on one side of the surface.
  *
- * Along the normal, or along the ray where there is none, in steps that double until the value of P there
- * exceeds its own error bound with the wanted sign.  The first step is what rounding of P and of the position
- * explains. */
+ * Along the normal, or along the ray where there is none, to where the value of P exceeds its own error bound
+ * with the wanted sign.  By the gradient, the first step leads to a value of PLAIN such bounds: then doubles
+ * know the sign on rays that start there, too, over whose whole length their errors are larger.  If the sign
+ * is not as wanted there, steps double, then halve. */
 #include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
@@ -13,7 +14,9 @@
 #include "../surface/impl.h"
 #include "region.h"
 
+#define PLAIN 0x1p10
 #define FARTHEST 0x1p-20 /* step, in sizes of the position or of the surface */
+#define NEAREST 0x1p-53
 
 /* Where P is sure to have the sign `side`, seen from the hit; 0: there is no direction. */
 static int direction_of(const algsurf_ray *ray, const algsurf_hit *hit, int side, double direction[3]) {
@@ -32,19 +35,36 @@ static algsurf_status check(const algsurf_surface *surface, const algsurf_ray *r
     return algsurf_i_ray_check(ray);
 }
 
+/* In sizes. */
+static double first_step(const algsurf_surface *surface, const double position[3], double size) {
+    double value, bound, gradient[3];
+    algsurf_status status = algsurf_surface_gradient(surface, position, &value, gradient, &bound, NULL);
+    double step = PLAIN * (bound + fabs(value)) / (algsurf_max_abs(gradient) * size);
+    return status == ALGSURF_OK && step < FARTHEST ? fmax(step, NEAREST) : FARTHEST;
+}
+
+static int is_beside(const algsurf_surface *surface, const double x[3], int side) {
+    double value, bound;
+    return algsurf_surface_value(surface, x, &value, &bound) == ALGSURF_OK && side * value > bound;
+}
+
 static algsurf_status leave(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_hit *hit,
                             int side, double start[3]) {
-    double value, bound, x[3], direction[3];
+    double x[3], direction[3];
     algsurf_status status = check(surface, ray, hit, side, start);
     if (status != ALGSURF_OK) return status;
     if (!direction_of(ray, hit, side, direction)) return ALGSURF_NOT_VERIFIED;
-    const double size = fmax(algsurf_max_abs(hit->position), ldexp(1, surface->unit));
-    for (double step = 0x1p-53 * size; step <= FARTHEST * size; step *= 2) {
-        for (int i = 0; i < 3; i++) x[i] = hit->position[i] + step * direction[i];
-        if (algsurf_surface_value(surface, x, &value, &bound) != ALGSURF_OK || !(side * value > bound))
-            continue;
-        for (int i = 0; i < 3; i++) start[i] = x[i];
-        return ALGSURF_OK;
+    const double size = fmax(algsurf_max_abs(hit->position), ldexp(1, surface->unit)),
+                 first = first_step(surface, hit->position, size);
+    double step = first, factor = 2;
+    while (step >= NEAREST) {
+        for (int i = 0; i < 3; i++) x[i] = hit->position[i] + step * size * direction[i];
+        if (is_beside(surface, x, side)) {
+            for (int i = 0; i < 3; i++) start[i] = x[i];
+            return ALGSURF_OK;
+        }
+        step *= factor;
+        if (step > FARTHEST) step = 0.5 * first, factor = 0.5;
     }
     return ALGSURF_NOT_VERIFIED;
 }
