@@ -48,7 +48,7 @@ static double unit_of(const algsurf_surface *surface, algsurf_status *failed) {
     return unit > LEAST_UNIT && unit < MOST_UNIT ? unit : 1;
 }
 
-fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
                     algsurf_status *failed) {
     fit_box found = {.empty = 1};
     fit_demand(failed,
@@ -56,7 +56,8 @@ fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent
     return found;
 }
 
-static fit_box enclose(const algsurf_surface *surface, double half, int part, algsurf_status *failed) {
+static fit_box enclose(const algsurf_surface *surface, double half, algsurf_part part,
+                       algsurf_status *failed) {
     const algsurf_extent all = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {half, half, half}};
     return fit_enclose(surface, &all, part, failed);
 }

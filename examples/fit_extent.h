@@ -18,7 +18,7 @@ typedef struct fit_box {
     int empty;
 } fit_box;
 
-fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
                     algsurf_status *failed);
 
 /* Half the box's longest edge; its middle. */

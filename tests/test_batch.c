@@ -621,7 +621,7 @@ TEST(test_errors) {
     p = packet_of(3, 0, MOST, 0);
     assert_int_equal(algsurf_real_roots_batch(&p, &options, all_roots, counts), ALGSURF_E_ARGUMENT);
     options.relative_tolerance = (double)NAN;
-    expect_error(&good, &options, ALGSURF_E_ARGUMENT);
+    expect_error(&good, &options, ALGSURF_E_NOT_FINITE);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
     assert_ok(algsurf_first_roots_batch(&good, NULL, a.state, a.root));
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, counts),

@@ -313,7 +313,7 @@ TEST(bad_arguments) {
     REFUSED(ARGUMENT, surface, &extent, -1, 0.1, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, &extent, 0, 0, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, &extent, 0, 1.5, lo, hi, &empty);
-    REFUSED(ARGUMENT, surface, &extent, 0, NAN, lo, hi, &empty);
+    REFUSED(NOT_FINITE, surface, &extent, 0, NAN, lo, hi, &empty);
     extent.size[0] = 0;
     REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, hi, &empty);
     extent.size[0] = INFINITY;

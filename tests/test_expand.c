@@ -228,10 +228,10 @@ TEST(test_bad_input) {
     ray.direction[2] = 0, expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, &ray);
     ray = good, ray.direction[0] = NAN, expect(ALGSURF_E_NOT_FINITE, ALGSURF_E_NOT_FINITE, s, &ray);
     ray = good, ray.origin[1] = INFINITY, expect(ALGSURF_E_NOT_FINITE, ALGSURF_E_NOT_FINITE, s, &ray);
-    ray = good, ray.t_max = INFINITY, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.t_max = INFINITY, expect(ALGSURF_OK, ALGSURF_E_NOT_FINITE, s, &ray);
     ray = good, ray.t_min = 6, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
     ray = good, ray.t_min = 7, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
-    ray = good, ray.t_min = NAN, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.t_min = NAN, expect(ALGSURF_OK, ALGSURF_E_NOT_FINITE, s, &ray);
     ray = good, ray.origin[1] = 1e200, expect(ALGSURF_E_RANGE, ALGSURF_E_RANGE, s, &ray);
     algsurf_surface_free(s);
     /* A chord so short, against the size of the surface, that its ends cannot be told apart. */

@@ -194,8 +194,8 @@ TEST(test_bad_input) {
     expect(ALGSURF_E_ARGUMENT, NULL, NULL, &good, NULL);
     expect(ALGSURF_E_ARGUMENT, c.surface, NULL, NULL, NULL);
     ray.direction[2] = 0, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
-    ray = good, ray.t_min = NAN, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
-    ray = good, ray.t_max = NAN, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
+    ray = good, ray.t_min = NAN, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
+    ray = good, ray.t_max = NAN, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
     ray = good, ray.origin[1] = NAN, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
     ray = good, ray.direction[1] = INFINITY, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
     extent.size[0] = 0, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
@@ -240,9 +240,9 @@ TEST(test_options) {
     for (o.size = 0; o.size < sizeof o; o.size++) /* no release had a smaller one */
         expect(ALGSURF_E_SIZE, c.surface, all, &ray, &o);
     o = defaults, o.absolute_tolerance = NAN;
-    expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    expect(ALGSURF_E_NOT_FINITE, c.surface, all, &ray, &o);
     o.absolute_tolerance = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
-    o.absolute_tolerance = INFINITY, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.absolute_tolerance = INFINITY, expect(ALGSURF_E_NOT_FINITE, c.surface, all, &ray, &o);
     o = defaults, o.max_iterations = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.tier = 2, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.method = 4, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);

@@ -679,13 +679,13 @@ TEST(test_bad_rays) {
     for (int i = 0; i < MOST; i += 15) {
         p = good, p.origin[1][i] = NAN, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
         p = good, p.direction[2][i] = INFINITY, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
-        p = good, p.t_min[i] = NAN, refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
-        p = good, p.t_max[i] = NAN, refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
+        p = good, p.t_min[i] = NAN, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
+        p = good, p.t_max[i] = NAN, refuse_ray(ALGSURF_E_NOT_FINITE, i, &answered, extent);
         p = good, p.direction[0][i] = p.direction[1][i] = p.direction[2][i] = 0;
         refuse_ray(ALGSURF_E_ARGUMENT, i, &answered, extent);
     }
     /* the first one counts, of those that are active */
-    p = good, p.t_max[20] = NAN, p.origin[0][21] = NAN;
+    p = good, p.direction[0][20] = p.direction[1][20] = p.direction[2][20] = 0, p.origin[0][21] = NAN;
     assert_int_equal(ask(&p, 0, MOST, extent, NULL), ALGSURF_E_ARGUMENT);
     assert_true(p.reason[20] == ALGSURF_E_ARGUMENT && p.reason[21] == ALGSURF_E_NOT_FINITE);
     p.masked = 1, p.active[20] = 0, p.active[21] = 1;

@@ -280,8 +280,8 @@ TEST(test_bad_input) {
     expect(ALGSURF_E_ARGUMENT, c, NULL, -1, 0, 1);
     expect(ALGSURF_E_DEGREE, c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1);
     expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 1, 0);
-    expect(ALGSURF_E_ARGUMENT, c, NULL, 2, NAN, 1);
-    expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 0, NAN);
+    expect(ALGSURF_E_NOT_FINITE, c, NULL, 2, NAN, 1);
+    expect(ALGSURF_E_NOT_FINITE, c, NULL, 2, 0, NAN);
     expect(ALGSURF_E_ARGUMENT, c, negative, 2, 0, 1);
     expect(ALGSURF_E_NOT_FINITE, nan, NULL, 2, 0, 1);
     expect(ALGSURF_E_NOT_FINITE, inf, NULL, 2, 0, 1);

@@ -443,8 +443,8 @@ TEST(bad_numbers) {
         p = plane, p.offset = bad[k / 3], refuse(&box, &ray, &p, 1, ALGSURF_E_NOT_FINITE);
         e = box, e.size[i] = k < 3 ? 0 : -1, refuse(&e, &ray, NULL, 0, ALGSURF_E_ARGUMENT);
     }
-    r = ray, r.t_min = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
-    r = ray, r.t_max = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
+    r = ray, r.t_min = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_NOT_FINITE);
+    r = ray, r.t_max = NAN, refuse(&box, &r, NULL, 0, ALGSURF_E_NOT_FINITE);
     r = ray, r.direction[0] = -0.0, refuse(&box, &r, NULL, 0, ALGSURF_E_ARGUMENT);
     e = box, e.kind = 3, refuse(&e, &ray, NULL, 0, ALGSURF_E_ARGUMENT);
     e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0, 1, 1}};

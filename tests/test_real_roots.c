@@ -123,7 +123,7 @@ TEST(test_refused) {
     assert_int_equal(algsurf_real_roots_integers(good, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1, t, 2, &count),
                      ALGSURF_E_DEGREE);
     assert_int_equal(algsurf_real_roots_integers(good, 2, 1, 0, t, 2, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_real_roots_integers(good, 2, NAN, 0, t, 2, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_real_roots_integers(good, 2, NAN, 0, t, 2, &count), ALGSURF_E_NOT_FINITE);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, NULL, 2, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 2, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, -1, &count), ALGSURF_E_ARGUMENT);

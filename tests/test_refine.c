@@ -537,7 +537,9 @@ TEST(test_options) {
     bad[4].absolute_tolerance = INFINITY, bad[5].max_iterations = -1, bad[6].method = 4;
     const double c[2] = {-0.5, 1};
     for (int i = 0; i < 7; i++) {
-        const algsurf_status wanted = i < 2 ? ALGSURF_E_SIZE : ALGSURF_E_ARGUMENT;
+        const algsurf_status wanted = i < 2              ? ALGSURF_E_SIZE
+                                      : i == 3 || i == 4 ? ALGSURF_E_NOT_FINITE
+                                                         : ALGSURF_E_ARGUMENT;
         assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &bad[i], &r), wanted);
         assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &bad[i], &r), wanted);
     }

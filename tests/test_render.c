@@ -560,7 +560,7 @@ TEST(bad_scene) {
     REFUSED(ARGUMENT, set_antialias(scene, 17));
     REFUSED(ARGUMENT, set_antialias_threshold(NULL, 0.5));
     REFUSED(ARGUMENT, set_antialias_threshold(scene, -0.5));
-    REFUSED(ARGUMENT, set_antialias_threshold(scene, NAN));
+    REFUSED(NOT_FINITE, set_antialias_threshold(scene, NAN));
     REFUSED(ARGUMENT, set_intersect_options(NULL, &o));
     extent.size[0] = -1;
     REFUSED(ARGUMENT, set_extent(scene, &extent));
@@ -606,7 +606,7 @@ TEST(bad_scene) {
     o = (algsurf_intersect_options){.size = sizeof o, .max_iterations = -1};
     REFUSED(ARGUMENT, set_intersect_options(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .absolute_tolerance = NAN};
-    REFUSED(ARGUMENT, set_intersect_options(scene, &o));
+    REFUSED(NOT_FINITE, set_intersect_options(scene, &o));
     o.absolute_tolerance = -1;
     REFUSED(ARGUMENT, set_intersect_options(scene, &o));
 #undef REFUSED

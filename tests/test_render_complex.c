@@ -357,8 +357,8 @@ TEST(setters) {
     REFUSE(bad.sector.delta = -0.1, ARGUMENT);
     REFUSE(bad.sector.delta = 4, ARGUMENT);
     REFUSE((bad.sector.sigma = 2, bad.sector.delta = 1.5), ARGUMENT);
-    REFUSE(bad.sector.sigma = NAN, ARGUMENT);
-    REFUSE(bad.sector.delta = INFINITY, ARGUMENT);
+    REFUSE(bad.sector.sigma = NAN, NOT_FINITE);
+    REFUSE(bad.sector.delta = INFINITY, NOT_FINITE);
     REFUSE(bad.imaginary = NULL, ARGUMENT);
     REFUSE(bad.imaginary_count = ALGSURF_MAX_DEGREE + 2, ARGUMENT);
     REFUSE(bad.imaginary_count = SIZE_MAX, ARGUMENT);

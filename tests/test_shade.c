@@ -450,8 +450,9 @@ TEST(bad_shade) {
     refuse_look(point, up, zero, ALGSURF_E_ARGUMENT);
     for (int k = 0; k < 3; k++) {
         const double first[2] = {bad[k], 1}, last[2] = {1, bad[k]};
-        refuse_shade(&good, first, point, up, down, ALGSURF_E_ARGUMENT);
-        refuse_shade(&good, last, point, up, down, ALGSURF_E_ARGUMENT);
+        const algsurf_status why = k < 2 ? ALGSURF_E_ARGUMENT : ALGSURF_E_NOT_FINITE;
+        refuse_shade(&good, first, point, up, down, why);
+        refuse_shade(&good, last, point, up, down, why);
     }
     assert_int_equal(algsurf_shade(&good, NULL, point, up, down, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_shade_preview(&good, point, up, down, NULL), ALGSURF_E_ARGUMENT);

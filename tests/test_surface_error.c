@@ -250,7 +250,7 @@ TEST(a_surface_with_error_is_the_same) {
     assert_int_equal(algsurf_surface_with_error(s, 0, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_surface_with_error(s, 1, &none), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_surface_with_error(s, -1e-9, &none), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_surface_with_error(s, NAN, &none), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_surface_with_error(s, NAN, &none), ALGSURF_E_NOT_FINITE);
     assert_null(none);
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);

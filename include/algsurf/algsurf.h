@@ -4,24 +4,27 @@
  * enumeration named beside it.  Arrays of answers have a byte for each, with the same numbers, to save
  * memory:
  *   a state, kind or sign    int              algsurf_hit, algsurf_occluded, algsurf_select, algsurf_bracket
+ *   yes or no                int              found, meets, empty, unique, converged: 1 or 0
  *   states of many           unsigned char    algsurf_hit_packet, algsurf_occluded_packet, algsurf_picture,
  *                                             algsurf_first_roots_batch
  *   signs of many            signed char      algsurf_hit_packet.side, algsurf_cell.signs
- *   numbers of roots, hits   int              one or many; multiplicities likewise
- * Where a state says whether there is a root or a hit, 0 is no, 1 is yes, 2 is undecided.
+ *   numbers of roots, hits   int              one or many; multiplicities, capacities, indices likewise
+ *   numbers of other things  size_t           terms, planes, lights, rays, polynomials
+ * Where a state says whether there is a root or a hit, 0 is no, 1 is yes, 2 is undecided, 4 is refused.
  *
  * Binary compatibility.  A program compiled against 1.0 runs with every later 1.x:
  *   functions      stay, with their parameters and what they promise; new ones are marked "Since";
  *   sized structs  those whose first member is their size may grow at the end.  Callers set size to sizeof
  *                  and what they do not use to 0, as {.size = sizeof options, ...} does: 0 is the default, or
  *                  the member's comment says that it is required.  What an older caller's struct lacks counts
- *                  as 0.  A newer caller's larger struct, of 4096 bytes at most, is taken if the bytes that the
- *                  library does not know are 0.  Every other size is E_SIZE.  Of a struct that receives
+ *                  as 0.  A newer caller's larger struct, of 4096 bytes at most, is taken if the bytes that
+ *                  the library does not know are 0.  Every other size is E_SIZE.  Of a struct that receives
  *                  results only the size is read, and bytes that the library does not know become 0;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
- *                  _bracket, _refined_root, _complex_root, _paper_zero; _term, _constant, _parse_error;
- *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int.
- *                  A camera or a light grows by new kinds, which may use its reserved numbers;
+ *                  _bracket, _refined_root, _complex_root, _precise_root, _paper_zero; _term, _constant,
+ *                  _parse_error; _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in
+ *                  structs are int.  A camera or a light grows by new kinds, which may use its reserved
+ *                  numbers;
  *   algsurf_cell   is made by the library only, and may grow at its end;
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a

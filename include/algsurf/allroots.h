@@ -28,15 +28,14 @@ typedef struct algsurf_complex_root {
 
 /* All roots of sum c_k z^k.
  *   c, r    degree+1 coefficients, lowest first; radii or null
- *   roots   room for `degree` entries; at least 1
+ *   roots   room for `degree` entries, at least 1: no capacity is handed over
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * If the lowest coefficients are exactly 0, the root 0 is exact.  Coefficients without radii (null, or all
- * 0): each different root has a box of its own, at most two units in the last place wide in each part,
- * counted in those of the larger part, with its exact multiplicity; real roots of real polynomials are proved
- * real, the others are in exactly conjugate boxes.  A box holds several different roots only where no doubles
- * tell them apart.  With radii, roots that these do not part share a box.  Entries are in increasing order of
- * root.re, then of root.im.
+ * If the lowest coefficients are exactly 0, the root 0 is exact.  Without radii (null, or all 0) each
+ * different root has a box of its own, with its exact multiplicity, unless no doubles tell it from another.
+ * A box is at most two units in the last place wide, units of the larger of its two parts.  Real roots of
+ * real polynomials are proved real, the others are in exactly conjugate boxes.  With radii, roots that these
+ * do not part share a box.  Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;

@@ -36,9 +36,9 @@ typedef struct algsurf_real_batch {
     int degree;                 /* a bound, 0..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
     algsurf_table coefficients; /* in the power basis */
     algsurf_table radii;        /* of the coefficients; at null: they are exact */
-    const double *lo, *hi;      /* polynomial i: lo[i * interval_step] <= hi[i * interval_step]; null: -inf
-                                   for all, +inf for all */
-    ptrdiff_t interval_step;    /* 0: one interval for all; 1: one for each */
+    const double *lo, *hi;      /* polynomial i: lo[i * interval_step] <= hi[i * interval_step]; lo null: -inf
+                                   for all; hi null: +inf for all */
+    ptrdiff_t interval_step;    /* in doubles; 0: one interval for all */
 } algsurf_real_batch;
 
 /* What is known of the first root. */
@@ -63,7 +63,7 @@ typedef enum algsurf_first_root_state {
  * rounding of the root.  Ill-conditioned roots, and those in an interval with an infinite end, are the roots
  * of algsurf_real_roots.  The bits of an answer depend on its polynomial only, not on the kernel, the other
  * polynomials or their number.
- * Errors: E_ARGUMENT (null, negative degree, relative_tolerance or kernel), E_DEGREE: nothing is written.
+ * Errors: E_ARGUMENT (null, degree < 0, tolerance, unknown kernel), E_DEGREE: nothing is written.
  * Those of algsurf_real_root_first for a polynomial (with radii, of algsurf_isolate_first): it is REFUSED,
  * or, for want of memory, UNDECIDED.  All others are answered, and the first such error is returned.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more.  A
@@ -84,8 +84,8 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
  *            algsurf_status
  * roots and count may not overlap the input.
  * Guarantee: all are found, each with its multiplicity: verified.
- * Errors: E_ARGUMENT (null, negative degree, kernel, radii, a relative_tolerance), E_DEGREE: nothing is
- * written.  Those in count: all other polynomials are answered, and the first of them is returned.
+ * Errors: E_ARGUMENT (null, degree < 0, unknown kernel, radii, a tolerance), E_DEGREE: nothing is written.
+ * Those in count: all other polynomials are answered, and the first of them is returned.
  * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
  * more.  A polynomial that doubles leave undecided costs as much as in algsurf_real_roots; so does each of
  * degree above 20 or with an infinite interval.
@@ -114,7 +114,7 @@ typedef struct algsurf_complex_batch {
  *   count    for each polynomial the number of its entries; or, if the single call fails, its error, a
  *            negative algsurf_status: its entries mean nothing then
  * roots and count may not overlap the input.
- * Errors: E_ARGUMENT (null, negative degree, kernel, a relative_tolerance), E_DEGREE: nothing is written.
+ * Errors: E_ARGUMENT (null, degree < 0, unknown kernel, a tolerance), E_DEGREE: nothing is written.
  * Those in count: all other polynomials are answered, and the first of them is returned.
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: polynomials without radii of degree 24 at most are solved side by side, as many as the kernel has

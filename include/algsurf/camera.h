@@ -43,8 +43,9 @@ ALGSURF_API algsurf_status algsurf_camera_orthographic(const double eye[3], cons
 /* The ray through the point (x,y) of a width x height picture, or of its plane outside the picture: t_min =
  * 0, t_max = +inf, direction of unit length up to rounding, so that t is the distance from the eye (pinhole)
  * or from the plane (orthographic).
- * Errors: E_ARGUMENT (null, width or height < 1, a camera of an unknown kind, whose axes are not orthonormal,
- * or whose other members are out of range), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, width or height < 1, a camera of an unknown kind, whose axes are not
+ * orthonormal to 1e-9, or whose other members are out of range), E_NOT_FINITE.  Cost: constant.  Since
+ * 1.0. */
 ALGSURF_API algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x,
                                               double y, algsurf_ray *ray);
 

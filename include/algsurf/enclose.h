@@ -20,15 +20,14 @@ typedef enum algsurf_part {
  *   precision  0 < precision <= 1: the search ends where a face cannot be pushed in by more than this share
  *              of the box's length; 1/16 is usual
  *   lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may reach beyond an extent that
- *              is a sphere, not beyond one that is a box but for rounding outward (to infinity,
- *              where it is beyond the largest double)
- *   empty      receives 1: there is no such point, and lo and hi are not written; 0: there may be some
+ *              is a sphere; beyond one that is a box only by rounding outward, up to infinity
+ *   empty      1: there is no such point, lo and hi are untouched; 0: there may be some
  *
  * Guarantee: verified.  No such point is outside of the box; if `empty` is 1, there is none.  The box is as
  * small as precision says unless that takes too long, as in degrees above 12 or where P is small in large
  * parts of space.  Nothing is said of points outside the extent, even if the box does not touch its boundary.
- * Errors: E_ARGUMENT (null; all of space; extent, part, precision out of range), E_NOT_FINITE (extent),
- * E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null; all of space; extent, part, precision out of range), E_NOT_FINITE (extent,
+ * precision), E_NO_MEMORY.
  * Cost: milliseconds in degree 4 to 8, at most some 0.3 s.
  * Source: branch and bound (Skelboe 1974) on Taylor forms of P about the middles of cells, with a bound on
  * rounding.  Since 1.0. */

@@ -16,7 +16,8 @@ extern "C" {
 
 /* Coefficients of p in t about the ray's origin; the ray's t_min and t_max play no part.
  *   c, r  n+1 coefficients, lowest first, and their radii, n = algsurf_surface_degree(surface).
- *         Encloses: the exact coefficient p_i lies in [c[i]-r[i], c[i]+r[i]].  r may be null.
+ *         Encloses: the exact coefficient p_i lies in [c[i]-r[i], c[i]+r[i]].  r may be null; c alone is not
+ *         exact.
  * Errors: E_ARGUMENT (null, zero direction), E_NOT_FINITE (ray), E_RANGE (overflow).
  * Cost: about two multiply-adds for each term and each degree.  Source: nested Horner scheme
  * over polynomials in t; radii by the same scheme on magnitudes.  Since 1.0. */
@@ -25,9 +26,10 @@ ALGSURF_API algsurf_status algsurf_expand_power(const algsurf_surface *surface, 
 
 /* Bernstein coefficients of p over [ray->t_min, ray->t_max], which must be finite, t_min < t_max.
  *   b, r  n+1 coefficients and their radii, or r null.  Encloses, as above: r covers the expansion, the
- *         change of basis and the rounding of the chord's midpoint and length.
- * Errors: as above; E_ARGUMENT for a chord that is empty or infinite.  Cost: as above, and O(n^2) for the
- * change of basis.  Source: as above, and as algsurf_poly_to_bernstein.  12 KiB of stack.  Since 1.0. */
+ *         change of basis and the rounding of the interval's middle and length.
+ * Errors: as above; E_ARGUMENT for t_min >= t_max, E_NOT_FINITE for infinite ends.  Cost: as above, and
+ * O(n^2) for the change of basis.  Source: as above, and as algsurf_poly_to_bernstein.  12 KiB of stack.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_expand_bernstein(const algsurf_surface *surface, const algsurf_ray *ray,
                                                     double *b, double *r);
 

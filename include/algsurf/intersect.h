@@ -22,7 +22,7 @@ typedef enum algsurf_tier {
      * undecided only if coefficients are known up to an error (algsurf_surface_with_error) and the answer is
      * not the same for all of them. */
     ALGSURF_TIER_CERTIFIED = 0,
-    /* Doubles only, as above: a ray that they do not decide is undecided.  For programs that need a bound on
+    /* Doubles with error bounds only: what they leave open is undecided.  For programs that need a limit on
      * the time of every ray. */
     ALGSURF_TIER_BOUNDED = 1
 } algsurf_tier;
@@ -30,14 +30,14 @@ typedef enum algsurf_tier {
 /* What an undecided place is reported as. */
 typedef enum algsurf_undecided_as {
     ALGSURF_AS_UNDECIDED = 0, /* as what it is: ALGSURF_STATE_UNDECIDED */
-    ALGSURF_AS_HIT = 1,       /* as a hit; its `reason` still tells why it is undecided */
-    ALGSURF_AS_MISS = 2       /* not at all: the next hit counts; if there is none, the ray misses */
+    ALGSURF_AS_HIT = 1,       /* as a hit, not verified; its `reason` still tells why */
+    ALGSURF_AS_MISS = 2       /* not at all: a later hit is the first, or the ray misses; not verified */
 } algsurf_undecided_as;
 
 /* What is known of a hit. */
 typedef enum algsurf_hit_state {
-    ALGSURF_STATE_MISS = 0,      /* no point of the surface on the ray: verified as algsurf_tier says */
-    ALGSURF_STATE_HIT = 1,       /* a point of the surface, and the first: verified as algsurf_tier says */
+    ALGSURF_STATE_MISS = 0,      /* no point of the surface on the ray: verified, but see undecided_as */
+    ALGSURF_STATE_HIT = 1,       /* a point of the surface, and the first: verified, but see undecided_as */
     ALGSURF_STATE_UNDECIDED = 2, /* not decided: coefficients known to an error only, or the bounded tier */
     ALGSURF_STATE_THIN = 3,   /* in pictures only: the ray passes something thin (algsurf_scene_set_thin) */
     ALGSURF_STATE_REFUSED = 4 /* in packets only: a bad ray; its `reason` is the error */
@@ -46,13 +46,12 @@ typedef enum algsurf_hit_state {
 /* Where a ray meets a surface.  For a miss, t, t_lo and t_hi are +inf, and the vectors are 0. */
 typedef struct algsurf_hit {
     int state;        /* an algsurf_hit_state */
-    int reason;       /* an algsurf_status: ALGSURF_OK; why it is undecided (positive), or refused (negative) */
+    int reason;       /* an algsurf_status: OK; why it is undecided (positive), or refused (negative) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
-    int side; /* of a hit: the sign of P on the ray just before it, -1 or 1; 0 with multiplicity 0.  Of a
-                 miss: the sign of P on the ray's part in the extent, behind the last hit that the option
-                 `side` passed by; 0 if there is no such part, or rounding hides it.  0 if undecided, and
-                 in complex space */
+    int side; /* hit: the sign of P just before it on the ray, -1 or 1; 0 with multiplicity 0.  Miss: the sign
+                 of P on the ray in the extent, behind all hits that the option `side` passes by; 0 if the
+                 ray has no part there, or rounding hides the sign.  Undecided, in complex space: 0 */
     double t; /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
@@ -110,8 +109,8 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Regula falsi, and any method that stops at the limit of iterations, promise less: t is in [t_lo, t_hi].  A
  * ray alone has the same bits as in a packet (algsurf_intersect_packet), with every kernel.
  * Returns OK also for a miss and for undecided: the state is in hit.
- * Errors: E_ARGUMENT (null, zero direction, NaN t, bad extent or options, a plane with normal 0),
- * E_NOT_FINITE (origin, direction, extent, planes), E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, zero direction, bad extent or options, a plane with normal 0), E_NOT_FINITE
+ * (origin, direction, NaN t, extent, planes, options), E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
  * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
  * only beyond degree 10 or so.  42 KiB of stack.  Since 1.0. */
@@ -144,13 +143,12 @@ ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, cons
                                             int *state);
 
 /* A point beside a hit at which P has a given sign, so that a ray that starts there does not meet the hit
- * again.  For programs that intersect other things with the same ray; between calls of this library the
- * option `side` does it without.
+ * again.  For rays that are handed to other intersectors; this library's own calls take the option `side`.
  *   ray, hit  as given to algsurf_intersect_first, and as it returned them
  *   side      hit->side is the side that the ray comes from, -hit->side, as a rule, the one that it goes to
- *   start     the point: from the position along the normal, or, where that is 0, along the ray; 2^-53 to
- *             2^-20 times the size of the position, or of the surface if that is more, away: as a rule as far
- *             as it takes that doubles decide rays from there, too, some 2^-40
+ *   start     the point: off the position along the normal (where that is 0: along the ray), by 2^-53 to
+ *             2^-20 times the larger of |position| and a scale of the surface.  As a rule it is as far as it
+ *             takes that doubles decide rays from there, some 2^-40
  * Guarantee: the sign of P at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such
  * point so near, as beyond a double root: start is untouched then.
  * Errors: E_ARGUMENT (null, side not -1 or 1, a hit whose state is not ALGSURF_STATE_HIT, bad ray),
@@ -168,7 +166,8 @@ typedef struct algsurf_ray_packet {
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
     const unsigned char *active; /* null: all; active[i] = 0: ray i is skipped, its numbers may be any, and
                                     its entries in the answers stay as they are */
-    ptrdiff_t step;              /* from one ray's numbers to the next one's; 0: 1 */
+    ptrdiff_t step;              /* from one ray's numbers to the next one's, in numbers; 0: 1.  Not of
+                                    `active`, nor of the answers */
     const float *float_origin[3], *float_direction[3]; /* rays in floats: then there is no double */
     const float *float_t_min, *float_t_max;            /* null: as above */
 } algsurf_ray_packet;
@@ -229,6 +228,11 @@ typedef struct algsurf_complex_space {
  * + i sum_k imaginary[k] t^k, has degree-many complex roots t.  A root counts if its argument lies in the
  * sector and its magnitude in [t_min, t_max], the part of the ray inside the extent with t_min >= 0.  Of the
  * roots that count, the one of least magnitude is shown.
+ *   extent null: all of space
+ *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
+ *          change the time, not the answer
+ *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
+ *          with; if fewer are found, the others are NaN
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
  *          normal of the surface that is shown, which consists of the points origin + |t| direction for all
  *          directions from that origin.  If t and p'(t) are real it has the direction of P's gradient.
@@ -236,13 +240,10 @@ typedef struct algsurf_complex_space {
  *          along the ray and normalised.  For a multiple root it is 0.  state UNDECIDED: it is open whether
  *          a root is in the sector and in range, or which one is the least; the hit is then the least root
  *          that may be the one
- *   root   the complex root t shown; may be null
- *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
- *          change the time, not the answer
- *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
- *          with; if fewer are found, the others are NaN
+ *   root   the complex root t shown, NaN for a miss; may be null
  * There are no options: of algsurf_intersect_options only planes would play a part; algsurf_ray_clip gives
  * the part of the ray that they keep.  Pictures cut complex space, too (algsurf_scene_set_clip).
+ * Without memory a ray is UNDECIDED, reason UNDECIDED_RANGE.
  * Errors: E_ARGUMENT (null, bad ray, extent, sector or imaginary parts; t_min < 0 is taken as 0),
  * E_NOT_FINITE.  Cost: that of algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of
  * stack.  Since 1.0. */

@@ -11,9 +11,9 @@
  * multiplicity:
  * - exact, lo = hi: the root is this double;
  * - a bracket: lo < root < hi, and `sign` is p's sign just before the root.
- * Most brackets hold no other root, and the signs of p at lo and hi differ.  Other brackets are two
- * neighbouring doubles: those of roots of even multiplicity, and those of roots that no double separates from
- * the next root.  Two roots between the same two doubles have equal brackets.  If a root is a double, the
+ * A bracket wider than two neighbouring doubles isolates, and the signs of p at lo and hi differ.  Two
+ * neighbouring doubles may hold several roots: each has an entry with this bracket.  Roots of even
+ * multiplicity always have such a bracket.  If a root is a double, the
  * bracket of a root next to it may end there.  The bracket of a root beyond the largest double reaches from
  * this to infinity.
  *
@@ -47,8 +47,8 @@ typedef struct algsurf_real_root {
  *   c                 degree+1 coefficients, power basis, lowest first
  *   roots, capacity   room for the answer; the degree, at least 1, always suffices
  *   count             how many were written
- * Errors: E_ARGUMENT (null, negative degree, lo > hi, NaN), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
- * E_CAPACITY, E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY: nothing is written.
+ * Errors: E_ARGUMENT (null, negative degree, lo > hi), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE), E_CAPACITY,
+ * E_NOT_FINITE (coefficients, NaN as an end), E_ZERO (all are zero), E_NO_MEMORY: nothing is written.
  * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
  * 20, in integers of some hundred bits; only larger ones are allocated, 1 GiB at most.
  * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
@@ -56,15 +56,15 @@ typedef struct algsurf_real_root {
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
 
-/* The first (smallest) root in [lo,hi], for programs that call it often: algsurf_first_roots_batch for one
- * polynomial, with the same bits.
+/* The first (smallest) root in [lo,hi], for programs that call it often.  It gives the same bits as
+ * algsurf_first_roots_batch.
  *   c       degree+1 coefficients, power basis, lowest first
- *   root    approximate: off by at most 1e-12 of the interval's length, and by its rounding; ill-conditioned
- *           roots, and those in an interval with an infinite end, are those of algsurf_real_roots.  Untouched
- *           if there is none
+ *   root    approximate: the error is at most 1e-12 of the interval's length and a rounding of the root;
+ *           ill-conditioned roots, and those in an interval with an infinite end, are those of
+ *           algsurf_real_roots.  Untouched if there is none
  *   found   0: no root in [lo,hi]; 1: there is one, and none before it: verified
- * Errors: those of algsurf_real_roots but E_CAPACITY.  Cost: some 0.1 to 0.2 microseconds for degrees 2 to
- * 10 where doubles decide, else as algsurf_real_roots.  54 KiB of stack.  Since 1.0. */
+ * Errors: those of algsurf_real_roots, without E_CAPACITY.  Cost: some 0.1 to 0.2 microseconds for degrees
+ * 2 to 10 where doubles decide, else as algsurf_real_roots.  54 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_root_first(const double *c, int degree, double lo, double hi,
                                                    double *root, int *found);
 
@@ -87,12 +87,12 @@ typedef enum algsurf_bracket_kind {
     ALGSURF_BRACKET_UNDECIDED = 2
 } algsurf_bracket_kind;
 
-/* A root, or a place where roots may be. */
+/* An entry: a root, or an interval where roots may be. */
 typedef struct algsurf_bracket {
     double lo, hi;    /* in the unit of the caller's interval.  If an end of an isolating bracket is infinite,
-                         the other is the largest double; ends of an undecided place may be infinite, too */
+                         the other is the largest double; ends of an undecided entry may be infinite, too */
     int kind;         /* an algsurf_bracket_kind */
-    int sign;         /* isolated: of p just before the root, -1 or +1; else 0 */
+    int sign;         /* isolated: of p just before the root, -1 or +1; exact, undecided: 0 */
     int multiplicity; /* without radii: of the root, verified.  With radii: 1 if isolated; exact or undecided:
                          an upper bound, >= 1, on the number of roots in it, counted with multiplicity */
     int status;       /* an algsurf_status: ALGSURF_OK, or why it is undecided */
@@ -107,12 +107,12 @@ typedef struct algsurf_isolate_options {
 /* The first (smallest) root in [lo,hi], lo <= hi, either may be infinite.
  *   c, r     degree+1 coefficients, power basis, lowest first; radii or null
  *   options  null: all defaults
- *   bracket  where the root is, when *found is 1.  No root lies in [lo, bracket->lo): verified.
+ *   bracket  where the root is, if *found is 1, else untouched.  None lies in [lo, bracket->lo): verified.
  *   found    0: no root in [lo,hi], verified; 1: see bracket
  * Returns OK, or bracket->status (positive) if it is undecided, which happens only with radii.
- * Errors: E_ARGUMENT (null, bad options, negative degree, lo > hi, NaN, negative radius), E_DEGREE (above
- * ALGSURF_MAX_POLY_DEGREE), E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero),
- * E_NO_MEMORY: nothing is written.
+ * Errors: E_ARGUMENT (null, bad options, negative degree, lo > hi, negative radius), E_DEGREE (above
+ * ALGSURF_MAX_POLY_DEGREE), E_NOT_FINITE (coefficients, radii, NaN as an end), E_ZERO (all coefficients and
+ * radii are zero), E_NO_MEMORY: nothing is written.
  * Cost: below a microsecond up to degree 10 where doubles decide (the degree is at most 64, roots are not of
  * very different sizes, nor too close to each other), else as algsurf_real_roots, with radii four times that;
  * O(degree^2) operations for each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB
@@ -127,7 +127,7 @@ ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *
  *   count                how many were written
  * Returns OK: every entry is a root, and there are no others: verified.  Positive, only with radii: the
  * status of the first undecided entry; no root lies outside the entries.
- * If there are more than `degree` such places, several are returned as one undecided entry.
+ * If there are more than `degree` entries, neighbours are joined to one undecided entry.
  * Errors: as above; E_CAPACITY.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_isolate_options *options,

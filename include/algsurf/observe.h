@@ -2,8 +2,9 @@
  *
  * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
  * algsurf_intersect_options) give the same bits with and without it; without one, watching costs
- * nothing.  (Roots on the whole line, and of degrees 1 and 2, have a shorter way than the search that is shown:
- * without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the ray.
+ * nothing.  (Roots on the whole line, and of degrees 1 and 2, have a shorter way than the search that is
+ * shown: without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the
+ * ray.
  *
  * Which cells and points there are is this version's way to search: no promise but for what is said of each.
  * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the

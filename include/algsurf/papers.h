@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* Limits of the three algorithms below. */
+/* Limits of the three algorithms below; null options: all defaults. */
 typedef struct algsurf_paper_options {
     size_t size;          /* sizeof(algsurf_paper_options) */
     double relative_step; /* the approximation stops when the last steps of z and of q are below this times
@@ -33,9 +33,10 @@ typedef struct algsurf_paper_options {
  *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
  *   steps   number of steps made; may be null
  * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
- * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT, E_DEGREE,
- * E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
- * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  44 KiB of stack.  Since 1.0. */
+ * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT (null, degree
+ * below 1, p[degree] = 0, bad options), E_DEGREE, E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer,
+ * Hocks, Kulisch, Ratz 1995, ch. 9; Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.
+ * 44 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_paper_approximation(const algsurf_complex *p, int degree,
                                                        algsurf_complex start,
                                                        const algsurf_paper_options *options,
@@ -50,8 +51,8 @@ ALGSURF_API algsurf_status algsurf_paper_approximation(const algsurf_complex *p,
  *             verified; 0: not known.  May be null
  *   inflations  number of inflations made; may be null
  * Returns OK, or NOT_VERIFIED (only inflations is written).  Multiple roots are never verified, roots closer
- * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_DEGREE, E_NOT_FINITE.  Cost:
- * O(degree) each inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
+ * together than about 1e-8 times their size seldom.  Errors: as above.  Cost: O(degree)
+ * each inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
  * original uses an exact dot product).  80 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_paper_inclusion(const algsurf_complex *p, const double *r, int degree,
                                                    algsurf_complex z, const algsurf_complex *q,
@@ -76,8 +77,7 @@ typedef struct algsurf_paper_zero {
  *   zeros    `degree` entries, in the order found
  *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
  *            0: at least one failed, or two approximations went to the same root
- * Returns OK also when some failed.  Errors: E_ARGUMENT, E_DEGREE, E_NOT_FINITE, E_ZERO (leading coefficient
- * 0).
+ * Returns OK also when some failed.  Errors: as algsurf_paper_approximation.
  * Cost: O(degree^2) times the steps.  Source: as above, AllCPolyZeros.  110 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_paper_zeros(const algsurf_complex *p, const double *r, int degree,
                                                const algsurf_complex *start,

@@ -29,7 +29,7 @@ typedef enum algsurf_extent_kind {
 typedef struct algsurf_extent {
     int kind;         /* an algsurf_extent_kind; for all of space, centre and size play no part */
     double centre[3]; /* finite */
-    double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
+    double size[3];   /* sphere: the radius, in size[0]; box: half of each edge; > 0, finite */
 } algsurf_extent;
 
 /* How many planes may cut what is shown. */
@@ -42,8 +42,8 @@ typedef struct algsurf_plane {
     double offset;    /* finite */
 } algsurf_plane;
 
-/* The part of a ray that is inside an extent and kept by all planes: a ray with the same origin and direction,
- * t_min and t_max narrowed.
+/* The part of a ray that is inside an extent and kept by all planes: a ray with the same origin and
+ * direction, t_min and t_max narrowed.
  *   extent          null: all of space
  *   planes, count   as algsurf_scene_set_clip takes them; null with count 0: no planes
  *   chord           receives the narrowed ray; may be the same object as ray
@@ -58,8 +58,8 @@ typedef struct algsurf_plane {
  * at most
  *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
  * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)
- * Errors: E_ARGUMENT (null, zero direction, NaN t, unknown kind, size not positive, more than
- * ALGSURF_MAX_CLIP_PLANES, normal 0), E_NOT_FINITE (origin, direction, centre, size, planes).
+ * Errors: E_ARGUMENT (null, zero direction, unknown kind, size not positive, more than
+ * ALGSURF_MAX_CLIP_PLANES, normal 0), E_NOT_FINITE (origin, direction, NaN t, centre, size, planes).
  * Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_ray_clip(const algsurf_ray *ray, const algsurf_extent *extent,
                                             const algsurf_plane *planes, size_t count, algsurf_ray *chord,

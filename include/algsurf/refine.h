@@ -1,7 +1,7 @@
 /* algsurf/refine.h - a root to full accuracy, from an interval that isolates it (a bracket).
  *
- * All methods keep an interval whose ends have opposite signs, and count evaluations by the same rule, so
- * that they can be compared.  They differ in how they choose the next point.
+ * All methods keep an interval whose ends have opposite signs, or one of them is a root, and count
+ * evaluations by the same rule, so that they can be compared.  They differ in how they choose the next point.
  *
  * The default method for polynomials knows every sign that it uses: it computes a value in about doubled
  * precision, with an error bound; if that leaves the sign open, it computes with integers.  So its bracket
@@ -34,10 +34,10 @@ typedef struct algsurf_refine_options {
     size_t size;                /* sizeof(algsurf_refine_options) */
     int method;                 /* an algsurf_method, 0: default */
     int max_iterations;         /* points that the method may choose, >= 0; 0: 1000 */
-    double absolute_tolerance;  /* wanted error of the root, in the unit of the abscissa, >= 0.  The bracket
-                                   is narrow enough at this width plus an allowance for rounding: 2^-50
-                                   max(|root|, smallest normal double); by the default method for
-                                   polynomials 2^-52 |root|, or twice the smallest double */
+    double absolute_tolerance;  /* wanted error of the root, in the unit of the abscissa, >= 0.  The search
+                                   ends when hi - lo is at most this plus 2^-50 max(|root|, smallest normal
+                                   double); the default method for polynomials: plus 2^-52 |root|, or twice
+                                   the smallest double */
     algsurf_observer *observer; /* null: nobody watches; else it is told each evaluation in its order: lo, hi,
                                    then the points that the method chooses */
 } algsurf_refine_options;
@@ -58,7 +58,7 @@ typedef struct algsurf_refined_root {
 /* Real function of a real variable, which must return; data is the caller's, passed through. */
 typedef double (*algsurf_function)(double x, void *data);
 
-/* A root of f in [lo,hi], f(lo) and f(hi) of opposite sign (or one of them zero).
+/* A root of f in [lo,hi], f(lo) and f(hi) of opposite sign, or one of them zero; lo = hi has to be a root.
  *   options  null: all defaults
  * Guarantee: approximate.  If f is continuous and the signs of its values are right, the final bracket holds
  * a root.
@@ -91,7 +91,8 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * - root, residual, counts and converged are those of the polynomial c itself.  An observer is told of cells,
  *   too.
  * Errors: also E_ARGUMENT for a negative degree or radius, E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
- * E_NOT_FINITE; E_NO_MEMORY (by default, where integers decide: 1 GiB at most).
+ * E_NOT_FINITE (coefficients, radii; an infinite end, unless the other one is the largest double);
+ * E_NO_MEMORY (by default, where integers decide: 1 GiB at most).
  * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
  * roots need; with radii 20 to 100 microseconds more at degrees 2 to 10.  42 KiB of stack.  Since 1.0. */

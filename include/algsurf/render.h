@@ -46,10 +46,10 @@ ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, 
 ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 
 /* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
- * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
- * are the defaults, a null complex space is real space, a null background is none, any other null is
- * E_ARGUMENT; so are colours and weights out of range (shade.h), and a camera or a light that camera.h and
- * shade.h do not allow.
+ * be called while the scene is being rendered.  Null means: extent, all of space; options, the defaults;
+ * complex space, real space; background or thin colour, none; planes or lights, none if count is 0.  Any
+ * other null is E_ARGUMENT; so are colours and weights out of range (shade.h), and a camera or a light that
+ * camera.h and shade.h do not allow.
  * Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
@@ -72,35 +72,36 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
  * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
  * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
  * Looked for are critical points of P in the cell at which P is 0 or has another sign than along the sample's
- * ray; if that hits something, up to 4 cells' widths before it (an undecided place is no hit here, whatever it
- * is drawn as).  They begin where |P| is least along the ray.  Not shown are edges and outlines of what is
- * wide: where P has the other sign behind the point, too, or is curved the other way in some direction, or is
- * 0 on a sheet.  So an isolated point is one cell, and a line is one cell wide.
+ * ray.  If the ray hits something, they are looked for only as far as 4 cells' widths before the hit (an
+ * undecided place is no hit here).  The search begins where |P| is least along the ray.  Not shown are edges
+ * and outlines of what is wide: where P has the other sign behind the point, too, or is curved the other way
+ * in some direction, or is 0 on a sheet.  So an isolated point is one cell, and a line is one cell wide.
  *
  * What falls short: P like a high power of the distance, about points that are not at the origin, drowns in
  * its rounding: (x-1)^12 + (y-1)^12 + z^12 may be lost; so may what is thinner than others within a cell.
  *
  * Nothing thin is drawn
  * - in complex space; with all of space as extent; by another method than the default; in degrees above 24;
- * - if the eye is almost at the centre of the extent, or more than some 10^7 radii away from it; if the eye is
- *   nearer than two radii: parts more than some 50 degrees off the direction of view;
+ * - if the eye is almost at the centre of the extent, or more than some 10^7 radii away from it; if the
+ *   eye is nearer than two radii: parts more than some 50 degrees off the direction of view;
  * - for numbers near the limits of double.
  *
- * Errors: as above.
+ * Errors: E_ARGUMENT (null scene, colour out of range), E_NOT_FINITE.
  * Cost: some hundredths of the picture's time, to a sixth.
  * Source: Newton's method.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 /* The lighting of the scene, also if its light is the default one.  With it algsurf_shade() returns the
  * colours of the scene's pictures.
  *   lights    room for ALGSURF_MAX_LIGHTS
- *   lighting  its size set by the caller; it points to lights and to the scene's material: both must stay
+ *   lighting  its size set by the caller; it points to `lights` and to the scene's own material, hence is
+ *             valid until the scene is changed or freed
  * Errors: E_ARGUMENT (null), E_SIZE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_get_lighting(const algsurf_scene *scene,
                                                   algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                                   algsurf_lighting *lighting);
-/* How points of the surface are lit.  Errors: as above, also for an unknown quality.  Since 1.0. */
+/* How points of the surface are lit.  Errors: E_ARGUMENT (null, unknown quality).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
-/* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: as above.  Since 1.0. */
+/* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: E_ARGUMENT (null, n).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 /* Which pixels get their n x n samples.
  *   threshold  0, the default: all pixels.  0 < threshold <= 1: those whose middle shows another colour than
@@ -114,7 +115,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * that one byte in millions may differ by one, and t in its last bits.  The picture does not depend on slices
  * or threads: for a slice, the rows above and below it are looked at, too.
  *
- * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.
+ * Errors: E_ARGUMENT (null, below 0, above 1), E_NOT_FINITE.
  * Cost: as a rule one and a half to two and a half times that of one sample a pixel, for 4 x 4 samples and
  * 0.1; about one per cent of the pixels are chosen.
  * Since 1.0. */
@@ -148,8 +149,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the iteration for the roots of a ray in complex space starts with those of a neighbour: that leaves
  * some 40 per cent of the iterations, takes 20 to 40 per cent less time, and gives the same picture.  Source:
- * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: as above, also for an unknown coherence.
- * Since 1.0. */
+ * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: E_ARGUMENT (null, unknown coherence).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
 
 /* Called on the thread that called algsurf_render, after each finished row of that thread and ten times a
@@ -177,28 +177,27 @@ typedef struct algsurf_render_stats {
                              middle of each pixel, and n x n more for each pixel chosen.  Counts are those of
                              the rows drawn */
     uint64_t hits;        /* of them, ALGSURF_STATE_HIT */
-    uint64_t undecided;   /* of them, ALGSURF_STATE_UNDECIDED, not among the hits (drawn like them, where the
-                             surface seems to touch) */
+    uint64_t undecided;   /* of all rays: ALGSURF_STATE_UNDECIDED; drawn like hits, not counted among them */
     uint64_t shadow_rays; /* rays from points of the surface, to samples of lights and around, that were
                              traced one by one, because they were not decided together with the others from
                              their point */
     double solve_s;       /* seconds spent in intersection, summed over threads */
     double shade_s;       /* seconds spent in shading, summed over threads */
-    double total_s;       /* wall time */
+    double total_s;       /* wall time, not summed */
     int threads;          /* used, the caller's among them */
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
     uint64_t single_rays; /* rays solved one by one: those undecided in their row, or all */
     double expand_s;      /* seconds spent in transforming the surface to the view and its rows */
     double point_s;       /* seconds spent in positions and normals of hits found by packets */
-    double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
+    double shadow_s;      /* seconds spent in shadows, summed over threads, as the two above */
     const char *kernel;   /* the SIMD code's name (algsurf_kernel_name) */
     uint64_t tiles;       /* squares of 16, 8 or 4 pixels a side that were searched.  A tile is empty, or a
                              sheet (algsurf_way); of the others, larger ones were quartered, and those of 4
                              are leaves.  A band of 16 rows that several slices share is searched, and
                              counted, by each of them; else tiles are the same for any slices and threads */
-    uint64_t empty_tiles; /* of them */
-    uint64_t sheet_tiles; /* of them */
-    uint64_t leaf_tiles;  /* of them */
+    uint64_t empty_tiles; /* of the tiles */
+    uint64_t sheet_tiles; /* of the tiles */
+    uint64_t leaf_tiles;  /* of the tiles */
     uint64_t empty_rays;  /* of all rays: those in empty tiles */
     uint64_t sheet_rays;  /* of all rays: those whose hit is their tile's sheet */
     uint64_t exact_rays;  /* of the single rays: those that integers decided */
@@ -224,11 +223,11 @@ typedef enum algsurf_way {
     ALGSURF_WAY_SINGLE = 3 /* by itself */
 } algsurf_way;
 
-/* Where a picture goes: planes of the caller's memory, which do not overlap.  A null plane is not asked for;
- * if pixels is null, nothing is shaded.  Each plane has an entry for each pixel of the rows drawn, top row
- * first, from left to right.  Rows of pixels are stride bytes apart; those of the other planes follow each
+/* Where a picture goes: arrays in the caller's memory, which do not overlap.  A null array is not asked for;
+ * if pixels is null, nothing is shaded.  Each array has an entry for each pixel of the rows drawn, top row
+ * first, from left to right.  Rows of pixels are stride bytes apart; those of the other arrays follow each
  * other without a gap.
- *     A plane's bytes do not depend on which others are asked for.  t, normals and state are those of one
+ *     An array's bytes do not depend on which others are asked for.  t, normals and state are those of one
  * sample of the pixel: of the samples that show the surface, an undecided place or something thin, the one
  * with the least t (the first of these, row by row, if several have it).  The ray of sample (j,k) of n x n is
  * that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n).  n is 1 for a pixel that a threshold of
@@ -253,7 +252,7 @@ typedef struct algsurf_picture {
 } algsurf_picture;
 
 /* Draws rows row_begin .. row_end-1 of the picture.
- *   picture  where to.  The rows drawn are rows 0 .. row_end-row_begin-1 of its planes
+ *   picture  where to.  The rows drawn are rows 0 .. row_end-row_begin-1 of its arrays
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at that place and counted; an undecided shadow ray counts
  * as occluded.
@@ -263,8 +262,9 @@ typedef struct algsurf_picture {
  * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
  * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
  * pixel is in the whole picture.  These numbers, and how directions are chosen, are this version's.
- * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  It is
- * returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as undecided).
+ * Returns OK; CANCELLED (finished rows, any of them, are valid, others untouched; stats counts what was done.
+ * It is returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as
+ * undecided).
  * Errors: E_ARGUMENT (null; an option, stride, or format out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
  * these count as undecided, everything else is drawn, and stats is written), E_THREAD (a lock could not be

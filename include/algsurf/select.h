@@ -29,7 +29,7 @@ typedef enum algsurf_selected {
 
 /* Are the roots of a box in the sector?  The root 0 has argument 0; roots proved real have exactly 0 or pi.
  *   holds  1: each is in the sector or in its conjugate; 0: none is; 2: undecided
- * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, sector out of range), E_NOT_FINITE (sector).  Cost: about 100 ns.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
                                                 const algsurf_complex_root *root, int *holds);
 
@@ -40,7 +40,8 @@ ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
  *   index         that of the root; untouched if NONE
  * Nothing is assumed of the polynomial: if the magnitudes of two boxes overlap, it is undecided which root is
  * smaller, also for boxes that are mirror images of each other.
- * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument has to be computed.
+ * Errors: E_ARGUMENT, E_NOT_FINITE (sector, NaN as lo or hi).  Cost: O(count), about 100 ns for each root
+ * whose argument has to be computed.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select(const algsurf_complex_root *roots, int count,
                                           const algsurf_sector *sector, double lo, double hi, int *selected,

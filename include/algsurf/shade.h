@@ -20,8 +20,8 @@ extern "C" {
 #define ALGSURF_MAX_LIGHTS 16
 
 /* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0.  Unlike in options, 0 is
- * not a default here: to change one member, get the material of a new scene by algsurf_scene_get_lighting(),
- * change a copy of it and set that.  (A new scene has diffuse 0.72, ambient 0.135, fill 0.135, specular 0.32,
+ * not a default here: to change one member, copy *lighting.material as algsurf_scene_get_lighting() gives it,
+ * change the copy and set that.  (A new scene has diffuse 0.72, ambient 0.135, fill 0.135, specular 0.32,
  * roughness 0.2, haze 0.2.) */
 typedef struct algsurf_material {
     size_t size;       /* sizeof(algsurf_material) */
@@ -42,10 +42,10 @@ typedef enum algsurf_light_kind {
 
 /* A light: a point, or the parallelogram position + p edge_u + q edge_v, |p|, |q| <= 1/2.  Shadows are
  * computed from samples_u x samples_v of its points: p = a / (samples_u - 1) - 1/2 for a = 0, 1, ...,
- * samples_u - 1 (p = 0 if samples_u is 1), and q likewise.  If both numbers are 0, a picture takes 32 points
- * of the light for each pixel, different ones for the next pixel, so that shadows have soft edges.  Members
- * that an initialiser leaves out are 0: {.position = ..., .colour = ..., .samples_u = 1, .samples_v = 1} is a
- * point light. */
+ * samples_u - 1 (p = 0 if samples_u is 1), and q likewise.  If both numbers are 0, full quality takes some 32
+ * points of the light for each pixel, different ones for the next pixel, so that shadows have soft edges.
+ * Members that an initialiser leaves out are 0: {.position = ..., .colour = ..., .samples_u = 1,
+ * .samples_v = 1} is a point light. */
 typedef struct algsurf_light {
     double position[3];          /* of its middle, finite */
     double colour[3];            /* each from 0 to 1000; the weights of the default material are made for 1 */

@@ -15,10 +15,13 @@
  * Conventions common to all functions, unless their comment says otherwise.
  *   names           comments leave the prefix of a status out: OK, E_RANGE, UNDECIDED_END.  u is 2^-53, the
  *                   largest relative error of one rounding;
- *   sizes           structs that begin with their own size: E_SIZE if that is less than the struct has, or above
- *                   4096 bytes, or if members that this version does not know are not 0;
- *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; of a
- *                   callback's parameters its data do;
+ *   sizes           structs that begin with their own size (algsurf.h): E_SIZE if that is less than the
+ *                   struct had in 1.0, or above 4096 bytes, or if an input has bytes that are not 0 beyond
+ *                   what this version knows;
+ *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; so does
+ *                   the data of a callback;
+ *   numbers         E_NOT_FINITE if one is NaN, or infinite where it must be finite; E_ARGUMENT if it is not
+ *                   in its range;
  *   callbacks       must return: neither longjmp nor an exception may leave one through the library;
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
  *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
@@ -30,8 +33,8 @@
 #ifndef ALGSURF_STATUS_H
 #define ALGSURF_STATUS_H
 
-/* The version compiled against; algsurf_version returns that of the library that runs.  As one number, of
- * which a later version has a larger one: #if ALGSURF_VERSION >= 10200 asks for 1.2.0. */
+/* The version compiled against; algsurf_version returns that of the library that runs.  ALGSURF_VERSION is
+ * one number that grows: #if ALGSURF_VERSION >= 10200 asks for 1.2.0. */
 #define ALGSURF_VERSION_MAJOR 1
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
@@ -66,8 +69,8 @@ extern "C" {
     X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
     X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z")                                  \
     X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                                  \
-    X(ALGSURF_E_RANGE, -7, "a value is out of range")                                                        \
-    X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
+    X(ALGSURF_E_RANGE, -7, "overflow, or no result")                                                         \
+    X(ALGSURF_E_THREAD, -8, "a lock could not be made")                                                      \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
     X(ALGSURF_E_NAME, -10, "a name in the equation has no value")                                            \
     X(ALGSURF_E_SIZE, -11, "a struct's size is not set, or it asks for what this version does not know")     \

@@ -101,8 +101,8 @@ ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
  * about the equation instead of its rounded coefficients.
  *   error        0 <= error < 1; 0 for exact coefficients
  *   approximate  receives the new surface; free it with algsurf_surface_free
- * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.
- * 38 KiB of stack.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, error out of range), E_NOT_FINITE (error), E_NO_MEMORY.  Cost: as
+ * algsurf_surface_from_terms.  38 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
                                                       algsurf_surface **approximate);
 

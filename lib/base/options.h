@@ -1,4 +1,4 @@
-/* options.h - reading a caller's struct that starts with its own size.
+/* options.h - reading a caller's struct that starts with its own size, and numbers with a range.
  *
  * Such a struct may be newer than the library: larger, and accepted if the part unknown here is all 0, hence
  * asks for defaults.  A smaller one is refused: no release has had one, for this is the first.  One above
@@ -6,6 +6,7 @@
  */
 #ifndef ALGSURF_OPTIONS_H
 #define ALGSURF_OPTIONS_H
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -43,6 +44,18 @@ static inline void algsurf_options_write(void *given, const void *known, size_t 
     memset(given, 0, size);
     memcpy(given, known, known_size);
     memcpy(given, &size, sizeof size);
+}
+
+/* OK, or E_NOT_FINITE; else E_ARGUMENT: it is not in its range. */
+static inline algsurf_status algsurf_i_check_number(double x, int in_range) {
+    if (!isfinite(x)) return ALGSURF_E_NOT_FINITE;
+    return in_range ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
+/* An interval whose ends may be infinite: OK; E_NOT_FINITE for NaN, E_ARGUMENT for lo > hi. */
+static inline algsurf_status algsurf_i_check_interval(double lo, double hi) {
+    if (isnan(lo) || isnan(hi)) return ALGSURF_E_NOT_FINITE;
+    return lo <= hi ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
 #endif

@@ -59,7 +59,7 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
     for (int i = 0; start && i < degree; i++)
         if (!algsurf_i_finite(start[i])) return ALGSURF_E_NOT_FINITE;
     if (!zeros || !complete) return ALGSURF_E_ARGUMENT;
-    if (algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ZERO;
+    if (algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= degree; k++) deflated[k] = p[k];
     for (int i = 0, n = degree; i < degree; i++, n--) {
         int steps;

@@ -17,12 +17,16 @@
 #include "../base/fpenv.h"
 #include "../poly/interval_round.h"
 #include "../base/elementary.h"
+#include "../base/options.h"
 
 #define PI_BELOW 0x1.921fb54442d18p+1 /* the doubles around pi; the lower one is nearest */
 #define PI_ABOVE 0x1.921fb54442d19p+1
 
-static int valid(const algsurf_sector *s) {
-    return s && s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= PI_ABOVE;
+static algsurf_status check(const algsurf_sector *s) {
+    if (!s) return ALGSURF_E_ARGUMENT;
+    if (!isfinite(s->sigma) || !isfinite(s->delta)) return ALGSURF_E_NOT_FINITE;
+    return s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= PI_ABOVE ? ALGSURF_OK
+                                                                             : ALGSURF_E_ARGUMENT;
 }
 
 /* The largest double in the sector: a double is beyond sigma + delta if and only if it is above this one. */
@@ -63,9 +67,10 @@ static int in_sector(const algsurf_sector *s, const algsurf_complex_root *root) 
 
 static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_complex_root *root,
                                    int *holds) {
-    if (!valid(sector) || !root || !holds) return ALGSURF_E_ARGUMENT;
-    *holds = in_sector(sector, root);
-    return ALGSURF_OK;
+    if (!root || !holds) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check(sector);
+    if (status == ALGSURF_OK) *holds = in_sector(sector, root);
+    return status;
 }
 
 /* Magnitudes in [lo,hi]: 1 certainly, 0 certainly not, 2 undecided. */
@@ -89,9 +94,11 @@ static int mirrored(const algsurf_cinterval *a, const algsurf_cinterval *b) {
 static algsurf_status choose(const algsurf_complex_root *roots, int count, int real,
                              const algsurf_sector *sector, double lo, double hi, int *selected, int *index) {
     candidate best = {-1, 0, {0, 0}};
-    if (!valid(sector) || count < 0 || (count > 0 && !roots) || !selected || !index)
-        return ALGSURF_E_ARGUMENT;
-    if (!(lo >= 0 && lo <= hi)) return ALGSURF_E_ARGUMENT;
+    if (count < 0 || (count > 0 && !roots) || !selected || !index) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check(sector);
+    if (status == ALGSURF_OK) status = algsurf_i_check_interval(lo, hi);
+    if (status != ALGSURF_OK) return status;
+    if (lo < 0) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < count; i++) {
         algsurf_interval magnitude = algsurf_cinterval_abs(roots[i].box);
         int counts = in_range(magnitude, lo, hi);

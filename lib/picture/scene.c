@@ -138,9 +138,10 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
 }
 
 static algsurf_status set_antialias_threshold(algsurf_scene *scene, double threshold) {
-    if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
-    scene->antialias_threshold = threshold;
-    return ALGSURF_OK;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_number(threshold, threshold >= 0 && threshold <= 1);
+    if (status == ALGSURF_OK) scene->antialias_threshold = threshold;
+    return status;
 }
 
 SETTER(antialias_threshold, double)

@@ -171,8 +171,8 @@ static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int 
     if (!is_unit(direction) || (algsurf_max_abs(normal) > 0 && !is_unit(normal))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_lighting(given, &lighting, &material);
     if (status != ALGSURF_OK) return status;
-    for (size_t l = 0; visible && l <= lighting.light_count; l++)
-        if (!(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
+    if (visible) status = check_range(visible, (int)lighting.light_count + 1, 1);
+    if (status != ALGSURF_OK) return status;
     algsurf_i_colour_prepare(&lighting, preview, &job);
     find_colour(&job, point, normal, direction, visible, colour);
     return ALGSURF_OK;

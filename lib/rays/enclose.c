@@ -33,6 +33,7 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "../base/options.h"
 #include "../poly/interval_round.h"
 #include "../surface/impl.h"
 #include "region.h"
@@ -52,7 +53,8 @@ typedef struct cell {
 /* A search, in natural units. */
 typedef struct search {
     const algsurf_surface *surface;
-    int degree, part;
+    int degree;
+    algsurf_part part;
     int is_sphere;
     double centre[3], radius;
     double *given, *shifted; /* coefficients: x^i y^j z^k at place(k, j) + i */
@@ -296,8 +298,9 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
     search s = {.surface = surface, .degree = surface->degree, .part = part};
     algsurf_status status = algsurf_i_extent_check(extent);
     if (status != ALGSURF_OK) return status;
-    if (extent->kind == ALGSURF_EXTENT_ALL || !has_good_part(part) || !(precision > 0 && precision <= 1))
-        return ALGSURF_E_ARGUMENT;
+    if (extent->kind == ALGSURF_EXTENT_ALL || !has_good_part(part)) return ALGSURF_E_ARGUMENT;
+    status = algsurf_i_check_number(precision, precision > 0 && precision <= 1);
+    if (status != ALGSURF_OK) return status;
     size_t places = place(s.degree, s.degree + 1, 0);
     s.given = calloc(2 * places, sizeof *s.given);
     if (!s.given) return ALGSURF_E_NO_MEMORY;

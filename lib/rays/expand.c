@@ -212,7 +212,8 @@ ALGSURF_I_PUBLIC(algsurf_status, expand_power, power,
 static algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray, double *b, double *r) {
     algsurf_status status = check_line(s, ray, b);
     if (status != ALGSURF_OK) return status;
-    if (!(ray->t_min < ray->t_max) || isinf(ray->t_min) || isinf(ray->t_max)) return ALGSURF_E_ARGUMENT;
+    if (!isfinite(ray->t_min) || !isfinite(ray->t_max)) return ALGSURF_E_NOT_FINITE;
+    if (!(ray->t_min < ray->t_max)) return ALGSURF_E_ARGUMENT;
     double q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1], size = 0;
     double value[ALGSURF_MAX_DEGREE + 1], radius[ALGSURF_MAX_DEGREE + 1];
     algsurf_i_frame f;

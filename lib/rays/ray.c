@@ -42,7 +42,8 @@
 #include "../base/vec.h"
 
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray) {
-    if (!ray || isnan(ray->t_min) || isnan(ray->t_max)) return ALGSURF_E_ARGUMENT;
+    if (!ray) return ALGSURF_E_ARGUMENT;
+    if (isnan(ray->t_min) || isnan(ray->t_max)) return ALGSURF_E_NOT_FINITE;
     if (!algsurf_is_finite3(ray->origin) || !algsurf_is_finite3(ray->direction)) return ALGSURF_E_NOT_FINITE;
     return algsurf_max_abs(ray->direction) > 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }

@@ -21,7 +21,7 @@ static inline int algsurf_i_has_points(double t_min, double t_max) {
 /* A coordinate of a ray's point at a finite t, clamped to the range of double. */
 double algsurf_i_coordinate_at(const algsurf_ray *ray, int axis, double t);
 
-/* OK, E_ARGUMENT (null, NaN t, zero direction) or E_NOT_FINITE. */
+/* OK, E_ARGUMENT (null, zero direction) or E_NOT_FINITE. */
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray);
 
 /* OK, E_ARGUMENT (unknown kind, size not positive) or E_NOT_FINITE; null is all of space. */

@@ -41,10 +41,12 @@ static algsurf_status complex_roots(const algsurf_complex_batch *batch, const al
     algsurf_batch_options o = {.size = sizeof o};
     algsurf_status status = algsurf_options_read(&p, sizeof p, batch);
     if (status == ALGSURF_OK && options) status = algsurf_options_read(&o, sizeof o, options);
+    if (status == ALGSURF_OK)
+        status = algsurf_i_check_number(o.relative_tolerance, o.relative_tolerance == 0);
     if (status == ALGSURF_OK) status = algsurf_i_check_degree(p.degree);
     if (status != ALGSURF_OK) return status;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
-    if (!kernel || o.relative_tolerance != 0) return ALGSURF_E_ARGUMENT;
+    if (!kernel) return ALGSURF_E_ARGUMENT;
     if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
     return solve(algsurf_i_allroots_kernel_for(kernel), &p, roots, count);
 }

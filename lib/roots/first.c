@@ -47,9 +47,10 @@ static algsurf_status read_batch(query *q, const algsurf_real_batch *batch,
     algsurf_status status = algsurf_options_read(&q->polys, sizeof q->polys, batch);
     if (status == ALGSURF_OK && options)
         status = algsurf_options_read(&q->options, sizeof q->options, options);
+    const double tolerance = q->options.relative_tolerance;
+    if (status == ALGSURF_OK) status = algsurf_i_check_number(tolerance, tolerance >= 0 && tolerance < 1);
     if (status == ALGSURF_OK) status = algsurf_i_check_degree(q->polys.degree);
     if (status != ALGSURF_OK) return status;
-    if (!(q->options.relative_tolerance >= 0 && q->options.relative_tolerance < 1)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
     if (!kernel || (q->polys.count > 0 && !q->polys.coefficients.at)) return ALGSURF_E_ARGUMENT;
     q->kernel = algsurf_i_roots_kernel_for(kernel);
@@ -68,8 +69,8 @@ static ALGSURF_NOINLINE algsurf_status find_alone(const algsurf_real_batch *poly
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
     algsurf_i_line line = {.lo = begin_of(polys, i), .hi = end_of(polys, i), .wanted = wanted, .refined = 1};
     line.p = read_one(polys, i, c, NULL);
-    if (!(line.lo <= line.hi)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_check_coefficients(&line.p);
+    algsurf_status status = algsurf_i_check_interval(line.lo, line.hi);
+    if (status == ALGSURF_OK) status = algsurf_i_check_coefficients(&line.p);
     return status == ALGSURF_OK ? algsurf_i_line_solve(&line, roots, count) : status;
 }
 

@@ -16,7 +16,9 @@
 #include "../poly/degree.h"
 #include "line.h"
 
-static int has_shape(const algsurf_i_line *line) { return (line->p.c || line->z) && line->lo <= line->hi; }
+static algsurf_status check_shape(const algsurf_i_line *line) {
+    return line->p.c || line->z ? algsurf_i_check_interval(line->lo, line->hi) : ALGSURF_E_ARGUMENT;
+}
 
 /* ---- refined ---- */
 
@@ -36,9 +38,9 @@ static ALGSURF_NOINLINE algsurf_status find(algsurf_i_line *line, algsurf_real_r
                                             int *count) {
     algsurf_real_root found[ALGSURF_MAX_POLY_DEGREE];
     int n = 0;
-    if (!has_shape(line)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status =
-        line->z ? check_integers(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
+    algsurf_status status = check_shape(line);
+    if (status == ALGSURF_OK)
+        status = line->z ? check_integers(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
     if (status == ALGSURF_OK) status = algsurf_i_line_solve(line, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_CAPACITY;
@@ -135,8 +137,8 @@ static algsurf_status give(task *t) {
 
 static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     algsurf_i_line *line = &t->line;
-    if (!has_shape(line)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_check_coefficients(&line->p);
+    algsurf_status status = check_shape(line);
+    if (status == ALGSURF_OK) status = algsurf_i_check_coefficients(&line->p);
     if (status != ALGSURF_OK) return status;
     int whole = line->lo == -HUGE_VAL && line->hi == HUGE_VAL;
     if (line->wanted == ALGSURF_I_NUMBER && (line->p.r || !whole)) line->wanted = ALGSURF_I_ALL;

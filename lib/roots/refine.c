@@ -30,9 +30,11 @@
 /* ---- what both entries share ---- */
 
 algsurf_status algsurf_i_refine_check(const algsurf_refine_options *how) {
-    int good = how->method >= ALGSURF_METHOD_DEFAULT && how->method <= ALGSURF_METHOD_REGULA_FALSI &&
-               how->max_iterations >= 0 && how->absolute_tolerance >= 0 && !isinf(how->absolute_tolerance);
-    return good ? algsurf_i_observer_check(how->observer) : ALGSURF_E_ARGUMENT;
+    const int good = how->method >= ALGSURF_METHOD_DEFAULT && how->method <= ALGSURF_METHOD_REGULA_FALSI &&
+                     how->max_iterations >= 0;
+    if (!good) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_number(how->absolute_tolerance, how->absolute_tolerance >= 0);
+    return status == ALGSURF_OK ? algsurf_i_observer_check(how->observer) : status;
 }
 
 static algsurf_status read_options(algsurf_i_search *s, const algsurf_refine_options *options, int *method,

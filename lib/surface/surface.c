@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../base/options.h"
 #include "../base/elementary.h"
 #include "../base/integer.h"
 
@@ -244,7 +245,9 @@ ALGSURF_I_PUBLIC(algsurf_status, surface_from_terms, from_terms,
 
 static algsurf_status with_error(const algsurf_surface *surface, double error,
                                  algsurf_surface **approximate) {
-    if (!surface || !approximate || !(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
+    if (!surface || !approximate) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_number(error, error >= 0 && error < 1);
+    if (status != ALGSURF_OK) return status;
     return algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
 }
 

@@ -25,8 +25,8 @@ extern "C" {
     X(ALGSURF_E_DEGREE, -4, "degree above the limit") \
     X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z") \
     X(ALGSURF_E_ZERO, -6, "polynomial is identically zero") \
-    X(ALGSURF_E_RANGE, -7, "a value is out of range") \
-    X(ALGSURF_E_THREAD, -8, "a thread could not be started") \
+    X(ALGSURF_E_RANGE, -7, "overflow, or no result") \
+    X(ALGSURF_E_THREAD, -8, "a lock could not be made") \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need") \
     X(ALGSURF_E_NAME, -10, "a name in the equation has no value") \
     X(ALGSURF_E_SIZE, -11, "a struct's size is not set, or it asks for what this version does not know") \
