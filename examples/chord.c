@@ -4,14 +4,16 @@
 #include <math.h>
 
 algsurf_status chord_make(const algsurf_surface *surface, const algsurf_extent *extent,
-                          const algsurf_ray *ray, chord *result, int *meets) {
+                          const algsurf_plane *planes, size_t count, const algsurf_ray *ray, chord *result,
+                          int *meets) {
     algsurf_ray inside, centred = {.t_min = -1, .t_max = 1};
-    algsurf_status status = algsurf_ray_clip(ray, extent, NULL, 0, &inside, meets);
+    algsurf_status status = algsurf_ray_clip(ray, extent, planes, count, &inside, meets);
     if (status != ALGSURF_OK || !*meets) return status;
     chord c = {.t_in = inside.t_min, .t_out = inside.t_max, .degree = algsurf_surface_degree(surface)};
     c.half = 0.5 * (c.t_out - c.t_in);
     c.middle = c.t_in + c.half;
     *meets = 0;
+    if (!(c.half > 0x1p-40 * fmax(fabs(c.t_in), fabs(c.t_out)))) return ALGSURF_OK; /* of rounding outward */
     for (int i = 0; i < 3; i++) {
         centred.origin[i] =
             fma(c.middle, ray->direction[i], ray->origin[i]); /* one rounding, of the result */

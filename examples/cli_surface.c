@@ -112,6 +112,7 @@ static void read_jsurf(cli_surface *choice) {
     jsurf_error error;
     if (!read) cli_no_memory();
     choice->file = read;
+    choice->path = path;
     if (!file) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, strerror(errno));
     if (jsurf_read(file, read, &error) != 0) {
         if (error.no_memory) cli_no_memory();
@@ -128,6 +129,7 @@ static void read_jsurf(cli_surface *choice) {
 }
 
 void cli_settle_surface(cli_surface *choice) {
+    choice->path = choice->terms;
     if (!choice->name || catalogue_find(choice->name)) return;
     if (jsurf_is_name(choice->name) && !choice->equation && !choice->terms) {
         read_jsurf(choice);

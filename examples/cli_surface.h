@@ -16,6 +16,7 @@ typedef struct cli_surface {
     cli_let *lets;
     size_t let_count;
     jsurf_file *file; /* of SURFER, from which the equation is; null: from none */
+    const char *path; /* of the file that is read; null: none is */
     int rounded;      /* --coefficients: answers allow for the rounding of the equation's */
 } cli_surface;
 

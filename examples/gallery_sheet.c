@@ -103,7 +103,7 @@ int main(int argc, char **argv) {
     if (!image_format_of(o.output, &format) && strcmp(o.output, "-") != 0 && !output_is_special(o.output))
         cli_fail(CLI_BAD_INPUT, "--output: expected a name ending in .png, .bmp or .ppm, got '%s'",
                  cli_quote(o.output).text);
-    output_check(o.output);
+    output_check(&o.output, 1, NULL);
     int count = count_surfaces(), height = (count + COLUMNS - 1) / COLUMNS * ROW_HEIGHT;
     size_t bytes = 3 * (size_t)WIDTH * (size_t)height;
     canvas sheet = {malloc(bytes), WIDTH};

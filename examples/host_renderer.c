@@ -139,7 +139,7 @@ int main(int argc, char **argv) {
     if (!image_format_of(o.output, &format) && strcmp(o.output, "-") != 0 && !output_is_special(o.output))
         cli_fail(CLI_BAD_INPUT, "--output: expected a name ending in .png, .bmp or .ppm, got '%s'",
                  cli_quote(o.output).text);
-    output_check(o.output);
+    output_check(&o.output, 1, NULL);
     uint8_t *pixels = malloc((size_t)o.view.width * (size_t)o.view.height * 3);
     if (!pixels) cli_no_memory();
 

@@ -95,9 +95,8 @@ void output_close(output_set *set, const char *path, FILE *file) {
     if (fclose(file) != 0) output_fail(set, path, strerror(errno));
 }
 
-void output_check(const char *path) {
+static void check_one(const char *path) {
     output_set none = {.count = 0};
-    if (strcmp(path, "-") == 0) return;
     check_existing(&none, path);
     if (output_is_special(path)) return;
     char *name, *target = follow(&none, path);
@@ -106,6 +105,20 @@ void output_check(const char *path) {
     portable_forget(name);
     free(name);
     free(target);
+}
+
+void output_check(const char *const *written, int count, const char *read) {
+    for (int i = 0; i < count; i++) {
+        const char *path = written[i];
+        if (!path || strcmp(path, "-") == 0) continue;
+        check_one(path);
+        if (output_is_special(path)) continue;
+        for (int j = 0; j < i; j++)
+            if (written[j] && portable_is_same(path, written[j]))
+                cli_fail(CLI_BAD_INPUT, "'%s' is to be written twice", cli_quote(path).text);
+        if (read && portable_is_same(path, read))
+            cli_fail(CLI_BAD_INPUT, "'%s' is read, and is to be written", cli_quote(path).text);
+    }
 }
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,

@@ -30,8 +30,9 @@ typedef struct output_set {
 /* Whether the path is, or leads to, a device or a pipe: there, but neither a regular file nor a folder. */
 int output_is_special(const char *path);
 
-/* Tells early whether a file can be written: tries, and leaves nothing behind. */
-void output_check(const char *path);
+/* Tells early whether the files of one command can be written: tries, and leaves nothing behind.  Two that
+ * are the same, or one that is read, too, are refused, but for devices.  Null: none. */
+void output_check(const char *const *written, int count, const char *read);
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,
                   const uint8_t *pixels);

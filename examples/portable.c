@@ -99,7 +99,8 @@ static void end_by(int number) {
 
 /* What is ignored, as under nohup, stays ignored. */
 static void catch_signals(void) {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    static const int numbers[] = {SIGINT,  SIGTERM, SIGHUP,  SIGPIPE, SIGQUIT,
+                                  SIGALRM, SIGXCPU, SIGXFSZ, SIGUSR1, SIGUSR2};
     static int done;
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers && !done; i++) {
         struct sigaction action, before;
@@ -147,6 +148,30 @@ int portable_folder_length(const char *path) {
     while (length > 0 && !is_separator(path[length - 1])) length--;
     return length;
 }
+
+#if defined(_WIN32)
+int portable_is_same(const char *a, const char *b) { return strcmp(a, b) == 0; }
+#else
+/* Of the folder that holds what is at a path. */
+static int about_folder(const char *path, struct stat *s) {
+    char name[4096] = ".";
+    int length = portable_folder_length(path);
+    if ((size_t)length >= sizeof name) return -1;
+    if (length > 0) memcpy(name, path, (size_t)length), name[length] = 0;
+    return stat(name, s);
+}
+
+int portable_is_same(const char *a, const char *b) {
+    struct stat s, t;
+    int a_is_there = stat(a, &s) == 0, b_is_there = stat(b, &t) == 0;
+    if (strcmp(a, b) == 0) return 1;
+    if (a_is_there != b_is_there) return 0;
+    if (!a_is_there && (about_folder(a, &s) != 0 || about_folder(b, &t) != 0 ||
+                        strcmp(a + portable_folder_length(a), b + portable_folder_length(b)) != 0))
+        return 0;
+    return s.st_dev == t.st_dev && s.st_ino == t.st_ino;
+}
+#endif
 
 FILE *portable_create(const char *path, const char *like) {
     struct stat s;

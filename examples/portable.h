@@ -16,6 +16,9 @@ portable_kind portable_kind_behind(const char *path); /* links are followed; not
 /* The path that a link leads to in the end, to be freed; null with errno set, or where there are no links. */
 char *portable_path_behind(const char *path);
 
+/* Do two paths name the same file, be it there or not?  On Windows: the same text. */
+int portable_is_same(const char *a, const char *b);
+
 /* How many characters of a path name its folder, with the separator at their end; 0: there is none. */
 int portable_folder_length(const char *path);
 
@@ -28,7 +31,7 @@ int portable_make_folder(const char *path);
 FILE *portable_create(const char *path, const char *like);
 
 /* From now on the file is removed, if its name is still that, when the program ends or a signal ends it (an
- * interruption at the keyboard, a request to end); until it is forgotten.  The name must live as long.  At
+ * interruption at the keyboard, a request to end, a limit that is reached); until it is forgotten.  The name must live as long.  At
  * most 8 files. Not on Windows, which removes no open file. */
 void portable_remember(const char *path);
 void portable_forget(const char *path);

@@ -263,10 +263,8 @@ static void draw_picture(run *r, const view *shown, int picture) {
     char *output = r->frames ? NULL : numbered(options->output, r, picture);
     char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
     char *heatmap = numbered(options->heatmap, r, picture);
-    if (output) output_check(output);
-    if (hits) output_check(hits);
-    if (stats) output_check(stats);
-    if (heatmap) output_check(heatmap);
+    const char *const written[] = {r->frames ? options->output : output, hits, stats, heatmap};
+    output_check(written, 4, options->surface.path);
 
     algsurf_render_options how = {
         sizeof how,       options->view.width, options->view.height, options->row_begin,

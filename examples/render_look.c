@@ -8,6 +8,7 @@ static const double PI = 3.14159265358979323846;
 
 /* The edge of the square light, in parts of its distance: shadows with soft ends. */
 static const double EDGE = 0.45;
+#define FARTHEST 1e100  /* coordinate of a light told by its place */
 enum { DISTANCE = 16 }; /* of a light told by angles, in radii of what is shown */
 
 void render_set_background(const cli_option *option, const char *value, void *field) {
@@ -20,7 +21,7 @@ void render_set_light(const cli_option *option, const char *value, void *field) 
     render_look *look = field;
     double *p = look->place;
     p[2] = 0;
-    if (cli_numbers(value, ',', 3, p)) {
+    if (cli_numbers(value, ',', 3, p) && fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2])) <= FARTHEST) {
         look->light = LIGHT_POINT;
     } else if (cli_numbers(value, ':', 2, p) && fabs(p[0]) <= 180 && fabs(p[1]) <= 90) {
         look->light = LIGHT_ANGLES;

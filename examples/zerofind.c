@@ -176,20 +176,6 @@ static algsurf_ray choose_ray(const zerofind_options *options, const view *shown
     return ray;
 }
 
-/* The part of the ray that the planes keep, but for rounding: what is drawn.  Which roots count is decided
- * without, by algsurf_intersect_all. */
-static algsurf_ray cut_ray(algsurf_ray ray, const cli_planes *clip) {
-    for (size_t i = 0; i < clip->count; i++) {
-        const double *n = clip->plane[i].normal, *o = ray.origin, *d = ray.direction;
-        double slope = n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
-        double beyond = n[0] * o[0] + n[1] * o[1] + n[2] * o[2] - clip->plane[i].offset;
-        if (slope > 0) ray.t_max = fmin(ray.t_max, -beyond / slope);
-        if (slope < 0) ray.t_min = fmax(ray.t_min, -beyond / slope);
-        if (slope == 0 && beyond > 0) ray.t_max = -INFINITY; /* all of the ray is cut off */
-    }
-    return ray;
-}
-
 /* ---- the table ---- */
 
 static const char *engine_name(int engine) {
@@ -236,12 +222,10 @@ static void print_trace(const zerofind *z, const algsurf_surface *surface, int j
 
 /* ---- the plot ---- */
 
-static void write_plot(const char *path, const zerofind *z, const zerofind_words *words) {
-    output_set set = {.count = 0};
-    FILE *file = output_open(&set, path);
-    if (zerofind_plot(z, words, file) != 0) output_fail(&set, path, "out of memory");
-    output_close(&set, path, file);
-    output_commit(&set);
+static void write_plot(output_set *set, const char *path, const zerofind *z, const zerofind_words *words) {
+    FILE *file = output_open(set, path);
+    if (zerofind_plot(z, words, file) != 0) output_fail(set, path, "out of memory");
+    output_close(set, path, file);
 }
 
 /* The ray, as the plot names it. */
@@ -257,7 +241,9 @@ static void describe_ray(const zerofind_options *options, const algsurf_ray *ray
 
 int main(int argc, char **argv) {
     static zerofind z;
+    output_set set = {.count = 0};
     zerofind_options options = parse(argc, argv);
+    output_check(&options.output, 1, options.surface.path);
     const cli_surface *given = &options.surface;
     cli_quoted name = cli_quote(given->name       ? given->name
                                 : given->equation ? given->equation
@@ -269,8 +255,7 @@ int main(int argc, char **argv) {
     algsurf_ray ray = choose_ray(&options, &shown);
     chord on;
     int meets;
-    const algsurf_ray kept = cut_ray(ray, &options.clip);
-    demand(chord_make(surface, &shown.extent, &kept, &on, &meets));
+    demand(chord_make(surface, &shown.extent, options.clip.plane, options.clip.count, &ray, &on, &meets));
     if (!meets)
         cli_fail(CLI_BAD_INPUT,
                  "the ray misses the extent%s: there is nothing to plot (--extent, --centre%s)",
@@ -285,9 +270,10 @@ int main(int argc, char **argv) {
         zerofind_words words = {name.text, about, options.how.method,
                                 options.pixel.given ? "t, the distance from the camera"
                                                     : "t, in lengths of the ray's direction"};
-        write_plot(options.output, &z, &words);
+        write_plot(&set, options.output, &z, &words);
     }
     if (options.trace) print_trace(&z, surface, options.json);
+    output_commit(&set); /* there is a plot only if there is a table, where both are wanted */
     algsurf_surface_free(surface);
     cli_forget_surface(&options.surface);
     return 0;

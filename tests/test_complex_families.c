@@ -180,6 +180,54 @@ TEST(kameny) {
     }
 }
 
+/* (16 z^4 - 1)^n (z^4 - (1/2 + 2^-12)^4) (Kirrinnis): a simple root near each of four multiple ones. */
+TEST(kirrinnis) {
+    set_precision(1024);
+    for (int n = 10; n <= 40; n *= 2) {
+        poly *f = make(4), *g = make(4), *p = make(4);
+        mpz_set_ui(f->re[4], 16), mpz_set_si(f->re[0], -1);
+        mpz_set_ui(g->re[4], 1UL << 48), mpz_ui_pow_ui(g->re[0], 2049, 4), mpz_neg(g->re[0], g->re[0]);
+        for (int k = 0; k <= 4; k++) mpz_set(p->re[k], g->re[k]);
+        for (int k = 0; k < n; k++) {
+            poly *q = product(p, f);
+            drop(p);
+            p = q;
+        }
+        judge("Kirrinnis", p, (const poly *const[FACTORS]){f, g}, (const int[FACTORS]){n, 1}, 4);
+        drop(f), drop(g), drop(p);
+    }
+}
+
+/* det(z - T), T an n x n Toeplitz matrix with -1 below the diagonal, and a[0], a[1] .. on it and above. */
+static poly *toeplitz(const long *a, int bands, int n) {
+    poly *p[MOST + 1];
+    p[0] = make(0);
+    mpz_set_ui(p[0]->re[0], 1);
+    for (int k = 1; k <= n; k++) {
+        p[k] = make(k);
+        for (int i = 0; i < k; i++) mpz_set(p[k]->re[i + 1], p[k - 1]->re[i]);
+        for (int j = 0; j < bands && j < k; j++)
+            for (int i = 0; i < k - j; i++) {
+                if ((a[j] > 0) == (j % 2 == 0))
+                    mpz_submul_ui(p[k]->re[i], p[k - 1 - j]->re[i], (unsigned long)labs(a[j]));
+                else
+                    mpz_addmul_ui(p[k]->re[i], p[k - 1 - j]->re[i], (unsigned long)labs(a[j]));
+            }
+    }
+    for (int k = 0; k < n; k++) drop(p[k]);
+    return p[n];
+}
+
+/* Grcar's matrix, and one with larger entries: eigenvalues that rounding of the matrix would move far. */
+TEST(toeplitz_ones) {
+    static const long grcar[] = {1, 1, 1, 1}, other[] = {2, -3, 5, 0, 7};
+    set_precision(2048);
+    for (int n = 16; n <= 128; n *= 2) {
+        judge_one("Toeplitz", toeplitz(grcar, 4, n), -1);
+        judge_one("Toeplitz", toeplitz(other, 5, n), -1);
+    }
+}
+
 /* Roots 2^-k apart at rational places. */
 TEST(clusters) {
     for (int k = 10; k <= 40; k += 10)

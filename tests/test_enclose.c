@@ -25,7 +25,7 @@ typedef struct box {
     int empty;
 } box;
 
-static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent, int part) {
+static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part) {
     box b = {.empty = -1};
     assert_ok(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty));
     assert_true(b.empty == 0 || b.empty == 1);
@@ -116,7 +116,7 @@ static void point_terms(const double p[3], double m, double sign_z, algsurf_term
     }
 }
 
-static void check_point(const algsurf_surface *surface, const double p[3], int part, double most) {
+static void check_point(const algsurf_surface *surface, const double p[3], algsurf_part part, double most) {
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {p[0] + 0.3, p[1] - 0.4, p[2] + 0.1}, {1, 1, 1}};
     const box b = enclosed(surface, &extent, part);
     if (!holds(&b, p, 0)) fail_msg("the point %a %a %a is lost", p[0], p[1], p[2]);
@@ -124,7 +124,7 @@ static void check_point(const algsurf_surface *surface, const double p[3], int p
 }
 
 /* Points with coordinates of 14 bits: squares, and sums of them, are doubles. */
-static void check_points(uint64_t random, double sign_z, int part) {
+static void check_points(uint64_t random, double sign_z, algsurf_part part) {
     for (int turn = 0; turn < 300; turn++) {
         double p[3];
         algsurf_term terms[7];
@@ -232,7 +232,7 @@ TEST(diagonals) {
 
 /* ---- boxes that are known ---- */
 
-static void check_known(const char *equation, int part, double size, const double lo[3], const double hi[3],
+static void check_known(const char *equation, algsurf_part part, double size, const double lo[3], const double hi[3],
                         double slack) {
     algsurf_surface *surface = surface_of(equation);
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}};
@@ -310,7 +310,7 @@ TEST(bad_arguments) {
     REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, NULL, &empty);
     REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, hi, NULL);
     REFUSED(ARGUMENT, surface, &extent, 2, 0.1, lo, hi, &empty);
-    REFUSED(ARGUMENT, surface, &extent, -1, 0.1, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, (algsurf_part)-1, 0.1, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, &extent, 0, 0, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, &extent, 0, 1.5, lo, hi, &empty);
     REFUSED(NOT_FINITE, surface, &extent, 0, NAN, lo, hi, &empty);

@@ -584,7 +584,7 @@ STACK_OF(algsurf_surface_enclose, USUAL, RENDERER) {
     double lo[3], hi[3];
     int empty;
     for (int i = 0; i < SURFACES; i++)
-        for (int part = 0; part < 2; part++)
+        for (algsurf_part part = ALGSURF_PART_ALL; part <= ALGSURF_PART_SINGULAR; part++)
             (void)algsurf_surface_enclose(surfaces[i], &extents[1], part, 0.25, lo, hi, &empty);
 }
 STACK_OF(algsurf_surface_gradient, USUAL, RENDERER) {
