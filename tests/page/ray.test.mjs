@@ -17,9 +17,11 @@ function pickAt(visit, place) {
     }, place);
 }
 
+/** The same, in the same extent: with another part of the ray the last bits of a position may be others. */
 function nativeHit(equation, { origin, direction, tMin, tMax }) {
     const input = [...origin, ...direction, tMin, tMax].map(String).join(" ");
-    const [head, row] = native("intersect", ["--equation", equation], { input }).trim().split("\n");
+    const options = ["--equation", equation, "--extent", "sphere:2"];
+    const [head, row] = native("intersect", options, { input }).trim().split("\n");
     const names = head.replace("#", "").trim().split("\t");
     return Object.fromEntries(row.split("\t").map((value, i) => [names[i], value]));
 }
