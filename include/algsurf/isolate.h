@@ -63,8 +63,8 @@ ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, doubl
  *           ill-conditioned roots, and those in an interval with an infinite end, are those of
  *           algsurf_real_roots.  Untouched if there is none
  *   found   0: no root in [lo,hi]; 1: there is one, and none before it: verified
- * Errors: those of algsurf_real_roots, without E_CAPACITY.  Cost: some 0.1 to 0.2 microseconds for degrees
- * 2 to 10 where doubles decide, else as algsurf_real_roots.  54 KiB of stack.  Since 1.0. */
+ * Errors: those of algsurf_real_roots, without E_CAPACITY.  Cost: some 0.3 to 0.8 microseconds for degrees 3
+ * to 10 where doubles decide, else as algsurf_real_roots.  54 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_root_first(const double *c, int degree, double lo, double hi,
                                                    double *root, int *found);
 
