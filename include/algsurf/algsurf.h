@@ -18,8 +18,9 @@
  *                  and what they do not use to 0, as {.size = sizeof options, ...} does: 0 is the default, or
  *                  the member's comment says that it is required.  What an older caller's struct lacks counts
  *                  as 0.  A newer caller's larger struct, of 4096 bytes at most, is taken if the bytes that
- *                  the library does not know are 0.  Every other size is E_SIZE.  Of a struct that receives
- *                  results only the size is read, and bytes that the library does not know become 0;
+ *                  the library does not know are 0.  Every other size is E_SIZE.  Of _stats,
+ *                  and of the _lighting that a scene fills, only the size is read, and bytes that the library
+ *                  does not know become 0;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
  *                  _bracket, _refined_root, _complex_root, _precise_root, _paper_zero; _term, _constant,
  *                  _parse_error; _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in

@@ -51,7 +51,7 @@ typedef struct algsurf_hit {
                          where the ray lies in the surface, for a miss, and for an undecided place */
     int side; /* hit: the sign of P just before it on the ray, -1 or 1; 0 with multiplicity 0.  Miss: the sign
                  of P on the ray in the extent, behind all hits that the option `side` passes by; 0 if the
-                 ray has no part there, or rounding hides the sign.  Undecided, in complex space: 0 */
+                 ray has no part there, or rounding hides the sign.  Undecided: 0.  In complex space: 0 */
     double t; /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
@@ -85,9 +85,9 @@ typedef struct algsurf_intersect_options {
                                     of it.  The guarantees stay the same, and a point on a plane is kept */
     size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */
     int side; /* -1, 1: only hits before which P has this sign count, others are passed through; 0: all do.  A
-                 ray that starts at a hit's position, which rounding puts on either side of the surface or on
-                 it, meets what is next on the side it leaves to: no epsilon is needed.  A ray that lies in
-                 the surface has no such hit.  In pictures: E_ARGUMENT */
+                 ray that starts at a hit's position (on either side, by rounding) needs no epsilon: give the
+                 sign of normal . direction, the side it leaves to.  A ray that lies in the surface has no
+                 such hit.  In pictures 0 is required */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
@@ -191,8 +191,9 @@ typedef struct algsurf_hit_packet {
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for extent and options, and E_ARGUMENT (null, doubles and floats at once):
  * nothing is written.  A bad ray is REFUSED, its reason the error of the single call, the rest that of a
- * miss.  E_NO_MEMORY: rays that could not be decided for want of memory are UNDECIDED, [t_lo, t_hi] the whole
- * ray.  In both cases all others are answered, and the first such error is returned.
+ * miss.  E_NO_MEMORY: rays that could not be decided for want of memory are UNDECIDED, whatever undecided_as
+ * says, their reason UNDECIDED_RANGE, [t_lo, t_hi] the whole ray.  In both cases all others are
+ * answered, and the first such error is returned.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
  * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
  * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
@@ -232,7 +233,7 @@ typedef struct algsurf_complex_space {
  *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
  *          change the time, not the answer
  *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
- *          with; if fewer are found, the others are NaN
+ *          with; if fewer are found, the others are NaN, which as start values are allowed and do nothing
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
  *          normal of the surface that is shown, which consists of the points origin + |t| direction for all
  *          directions from that origin.  If t and p'(t) are real it has the direction of P's gradient.

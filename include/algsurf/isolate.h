@@ -11,11 +11,10 @@
  * multiplicity:
  * - exact, lo = hi: the root is this double;
  * - a bracket: lo < root < hi, and `sign` is p's sign just before the root.
- * A bracket wider than two neighbouring doubles isolates, and the signs of p at lo and hi differ.  Two
+ * A bracket wider than two neighbouring doubles isolates, and the signs of p at lo and hi are opposite.  Two
  * neighbouring doubles may hold several roots: each has an entry with this bracket.  Roots of even
- * multiplicity always have such a bracket.  If a root is a double, the
- * bracket of a root next to it may end there.  The bracket of a root beyond the largest double reaches from
- * this to infinity.
+ * multiplicity always have such a bracket.  Only such a bracket may end at a double that is a root, which has
+ * an entry of its own.  The bracket of a root beyond the largest double reaches from this to infinity.
  *
  * Coefficients with radii stand for a set of polynomials, and answers hold for all of them.  Two entries have
  * at most an end in common.  An undecided entry is a place where the radii leave the answer open.  If the
@@ -80,7 +79,7 @@ ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c,
 
 /* What is known of a place. */
 typedef enum algsurf_bracket_kind {
-    ALGSURF_BRACKET_ISOLATED = 0, /* lo < this root < hi: verified */
+    ALGSURF_BRACKET_ISOLATED = 0, /* lo < this root < hi, others only if these are neighbours: verified */
     ALGSURF_BRACKET_EXACT = 1,    /* lo = hi is a root exactly: verified */
     /* Only with radii: from 0 to `multiplicity` roots in [lo,hi] (the zero polynomial aside).  The number
      * differs among the polynomials of the set, or is not known; `status` says why. */

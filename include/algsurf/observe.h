@@ -7,8 +7,8 @@
  * ray.
  *
  * Which cells and points there are is this version's way to search: no promise but for what is said of each.
- * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the
- * interval asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A
+ * Roots are isolated in cells: intervals whose variations of sign are counted.  The search begins with one
+ * cell or several, which cover the interval or parts of it, and may reach beyond its ends.  A
  * cell with two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all
  * without radii, each point of the interval lies in a cell without variations, which holds no root, or in one
  * with one variation, which holds one root, or on an end of these.  A search for the first root ends as soon

@@ -30,7 +30,7 @@ typedef struct algsurf_integer {
 
 /* The value at a point, computed in double, with a bound on its error.
  *   c, r    degree+1 coefficients (power basis) and radii, or r null
- *   value   p(t), by Horner's rule; not finite on overflow
+ *   value   p(t), by Horner's rule; not finite on overflow, which is OK, not an error
  *   bound   encloses: |value - q(t)| <= bound for every q in the set; +inf on overflow.  Null: not asked for
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE.  Cost: O(degree).  Source: running error bound, Higham, Accuracy and Stability of

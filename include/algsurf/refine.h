@@ -86,10 +86,10 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * With radii:
  * - encloses: the final bracket holds a root of each polynomial of the set, and the rest of [lo,hi] holds
  *   none: verified.  It is as narrow as absolute_tolerance, the radii and doubles allow;
- * - every bracket that algsurf_isolate_first or _all returns for c and r is accepted.  If a polynomial of the
- *   set may have equal signs at lo and hi, the answer is E_ARGUMENT;
- * - root, residual, counts and converged are those of the polynomial c itself.  An observer is told of cells,
- *   too.
+ * - isolated and exact brackets of algsurf_isolate_first or _all for c and r are accepted.  Undecided ones,
+ *   and others, are E_ARGUMENT if a polynomial of the set may have equal signs at lo and hi;
+ * - root, residual, counts and converged are of c alone: root is in [lo,hi], as a rule not at an end, and
+ *   converged says nothing of hi - lo.  An observer is told of cells, too.
  * Errors: also E_ARGUMENT for a negative degree or radius, E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE (coefficients, radii; an infinite end, unless the other one is the largest double);
  * E_NO_MEMORY (by default, where integers decide: 1 GiB at most).

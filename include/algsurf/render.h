@@ -155,7 +155,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, alg
 /* Called on the thread that called algsurf_render, after each finished row of that thread and ten times a
  * second while it waits, with the number of rows done by all threads.  It must return; if it returns non-zero
  * the picture is cancelled: unfinished rows are abandoned.  In a picture that is not cancelled the last call
- * has rows_done = rows_total. */
+ * has rows_done = rows_total, the rows of the slice. */
 typedef int (*algsurf_progress)(int rows_done, int rows_total, void *data);
 
 /* Size and part of a picture, threads, and who is told. */

@@ -2,7 +2,8 @@
  *
  * In complex space a ray shows, of all roots t of its polynomial, the one of least magnitude |t| whose
  * argument lies in [sigma, sigma + delta] or in the conjugate range [-sigma - delta, -sigma].  Real
- * space is sigma = 0 with a small delta: positive real roots have argument exactly 0.
+ * space is sigma = 0, delta = 0, since positive real roots have argument exactly 0; with a small delta roots
+ * near the real axis count, too.
  * Source: Sanjuan-Estrada, Casado, Garcia, section 4.
  */
 #ifndef ALGSURF_SELECT_H
@@ -14,6 +15,7 @@ extern "C" {
 #endif
 
 /* Arguments in radians, sigma .. sigma + delta, ends included: 0 <= sigma, 0 <= delta, sigma + delta <= pi.
+ * What is said to be in the sector has its argument there, or in the conjugate range.
  * The sum is exact, not rounded.  Since pi is not a double, a sum that rounds to the double nearest to pi,
  * 0x1.921fb54442d18p+1, or to the next larger one, counts as pi; a larger sum is refused. */
 typedef struct algsurf_sector {
@@ -22,9 +24,9 @@ typedef struct algsurf_sector {
 
 /* What is known of the root that is seen. */
 typedef enum algsurf_selected {
-    ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
+    ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector and in [lo,hi]: verified */
     ALGSURF_SELECTED_ONE = 1,      /* the root at `index` is, and no smaller one can be: verified */
-    ALGSURF_SELECTED_UNDECIDED = 2 /* the root at `index` is the least that may be in the sector */
+    ALGSURF_SELECTED_UNDECIDED = 2 /* the root at `index` is the least that may be in both */
 } algsurf_selected;
 
 /* Are the roots of a box in the sector?  The root 0 has argument 0; roots proved real have exactly 0 or pi.
