@@ -8,7 +8,8 @@
  * Breaks caught, each tried: a start of unknown sign taken for one of the wanted sign without regard to the
  * slope; one variation of signs behind it taken for a root; roots of the wrong side that end the search; a
  * miss's side from the begin of the chord; in company, the signs of a start of unknown sign counted again as
- * if it were known, because another ray of the packet enters a cell.
+ * if it were known, because another ray of the packet enters a cell; no smaller steps where the first one
+ * leads beyond the next sheet.
  *
  *     test_sides [rounds [seed]]     default: 1 and 77
  */
@@ -147,6 +148,30 @@ TEST(test_catalogue_bounces) {
         judge_bounces(&seed, 60 * rounds, i % 2 ? NULL : &ball, 0.9);
         algsurf_surface_free(c.surface);
     }
+}
+
+/* Two sheets 2^-k apart: a point between them, or none where rounding hides the sign there. */
+TEST(test_leave_thin_walls) {
+    int found = 0, hidden = 0;
+    for (int k = 4; k <= 40; k++) {
+        const double gap = ldexp(1, -k);
+        const algsurf_term walls[] = {{2, 0, 0, 1}, {1, 0, 0, -2 - gap}, {0, 0, 0, 1 + gap}};
+        const algsurf_ray ray = {{0, 0.25, 0.5}, {1, 0, 0}, 0, INFINITY};
+        algsurf_surface *s;
+        algsurf_hit hit;
+        double start[3] = {7, 7, 7};
+        assert_ok(algsurf_surface_from_terms(walls, 3, &s));
+        assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
+        assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == 1);
+        algsurf_status status = algsurf_hit_leave(s, &ray, &hit, -1, start);
+        if (status == ALGSURF_OK ? !(start[0] > 1 && start[0] < 1 + gap) : start[0] != 7)
+            fail_msg("2^-%d: status %d, from %a", k, status, start[0]);
+        found += status == ALGSURF_OK, hidden += status == ALGSURF_NOT_VERIFIED;
+        assert_ok(algsurf_hit_leave(s, &ray, &hit, 1, start));
+        assert_true(start[0] < 1 || start[0] > 1 + gap);
+        algsurf_surface_free(s);
+    }
+    assert_true(found >= 18 && found + hidden == 37);
 }
 
 TEST(test_company) {
