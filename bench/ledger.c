@@ -80,7 +80,16 @@ static double time_picture(const char *name, int kind) {
 
 /* ---- rays ---- */
 
-enum { SINGLE, PACKET, ENDLESS, ENDLESS_PACKET };
+enum { SINGLE, PACKET, SQUARED, ENDLESS, ENDLESS_PACKET };
+
+/* The square of a surface's polynomial. */
+static algsurf_surface *square_of(const catalogue_entry *entry) {
+    char text[1000];
+    algsurf_surface *surface;
+    snprintf(text, sizeof text, "(%s)^2", entry->equation);
+    must_answer(algsurf_surface_from_equation(text, NULL, 0, &surface, NULL), entry->name);
+    return surface;
+}
 
 static double time_rays(const char *name, int kind) {
     static algsurf_ray ray[RAYS];
@@ -94,7 +103,7 @@ static double time_rays(const char *name, int kind) {
                                      .origin = {origin[0], origin[1], origin[2]},
                                      .direction = {direction[0], direction[1], direction[2]}};
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
-    algsurf_surface *surface = surface_of(entry);
+    algsurf_surface *surface = kind == SQUARED ? square_of(entry) : surface_of(entry);
     algsurf_camera camera;
     measure_random random = {7};
     rays_camera(&entry->extent, &camera);
@@ -108,7 +117,7 @@ static double time_rays(const char *name, int kind) {
     for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
         const double before = measure_cpu();
         algsurf_hit hit;
-        if (kind == PACKET || kind == ENDLESS_PACKET)
+        if (kind == PACKET || kind == SQUARED || kind == ENDLESS_PACKET)
             must_answer(algsurf_intersect_packet(surface, extent, &rays, &how, &hits), name);
         else
             for (int i = 0; i < RAYS; i++)
@@ -260,6 +269,7 @@ static const struct task_kind {
              {"complex", time_picture, COMPLEX},
              {"ray", time_rays, SINGLE},
              {"packet", time_rays, PACKET},
+             {"squared", time_rays, SQUARED},
              {"endless", time_rays, ENDLESS},
              {"endless-packet", time_rays, ENDLESS_PACKET},
              {"first", time_polynomials, FIRST},

@@ -551,7 +551,7 @@ TEST(test_limit_of_memory) {
     algsurf_hit hits[24], before[24];
     int occluded = 77;
     int count = 77;
-    set_equation("(x^10 + y^10 + z^10 - 1)^2");
+    set_equation("(x^10 + y^10 + z^10 - 1)^2 (x + 99)");
     c.ray = (algsurf_ray){{-3, 0.3, 0.2}, {1, 0x1p-40, 0}, 0, 9};
     memset(before, 0xa5, sizeof before), memcpy(hits, before, sizeof hits);
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &options, hits), ALGSURF_E_NO_MEMORY);
@@ -579,7 +579,7 @@ TEST(test_limit_of_memory) {
     assert_int_equal(states[1], ALGSURF_STATE_HIT);
     done();
     begin("limit of memory");
-    set_equation("(x^10 + y^10 + z^10 - 1)^2");
+    set_equation("(x^10 + y^10 + z^10 - 1)^2 (x + 99)");
     decide(NULL);
     done();
     end(1, 1, 0, 2, 0);

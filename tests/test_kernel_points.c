@@ -93,7 +93,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[4], out->at[5], out->at[6]},
                                {out->at[7], out->at[8], out->at[9]},
                                {{NULL}, {NULL}, {NULL}}};
-    const algsurf_i_point_job job = {s->surface, &s->job, NULL};
+    const algsurf_i_point_job job = {s->surface, &s->job, NULL, 0};
     algsurf_i_beams_kernel_for(kernel)->points(&job, pixel, depth, count, NULL, out->sure, &points);
 }
 

@@ -225,8 +225,13 @@ static const undecided_ray undecided_rays[] = {
      3,
      {1, 2, 1e200}},
     /* common factors of high degree */
-    {"(x^14 + y^14 + z^14 - 1)^2", {{-4, 0.3, 0.1}, {1, 0, 0}, 0, 4}, {BALL, {0, 0, 0}, {2}}, 1, 1, {3}},
-    {"((4x^2 - 1)^2 + z^2)^6 (x - 1)^2",
+    {"(x^14 + y^14 + z^14 - 1)^2 (x + 99)",
+     {{-4, 0.3, 0.1}, {1, 0, 0}, 0, 4},
+     {BALL, {0, 0, 0}, {2}},
+     1,
+     1,
+     {3}},
+    {"((4x^2 - 1)^2 + z^2)^6 (x - 1)^5",
      {{-0.1, 0.3, 0x1p-200}, {1, 0, 0}, 0, 9},
      {BALL, {0, 0, 0}, {2}},
      1,
@@ -356,7 +361,7 @@ static algsurf_status render_small(void) {
 TEST(test_certified_picture) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
-    assert_ok(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL));
+    assert_ok(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2 (x + 99)", NULL, 0, &s, NULL));
     assert_ok(algsurf_scene_create(s, &stage));
     assert_ok(algsurf_scene_set_extent(stage, &extent));
     assert_ok(draw_small(&small_reference));

@@ -460,7 +460,7 @@ TEST(lighting_of_scenes) {
 /* Every ray touches the double plane y^2 = 0: a hit, or, where doubles are all there is, undecided and drawn.
  */
 static void double_plane(int tier) {
-    algsurf_surface *surface = surface_of("y^2");
+    algsurf_surface *surface = surface_of("y^2 (x + 99)");
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tier};
     uint64_t all = W * H, open = tier == ALGSURF_TIER_BOUNDED ? all : 0;
     for (int q = ALGSURF_QUALITY_PREVIEW; q <= ALGSURF_QUALITY_FULL; q++) {

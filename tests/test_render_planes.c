@@ -126,7 +126,7 @@ TEST(nearest_sample) {
 TEST(undecided) {
     static const int as[] = {ALGSURF_AS_UNDECIDED, ALGSURF_AS_HIT, ALGSURF_AS_MISS};
     static const int told[] = {ALGSURF_STATE_UNDECIDED, ALGSURF_STATE_HIT, ALGSURF_STATE_MISS};
-    algsurf_surface *surface = surface_of("y^2");
+    algsurf_surface *surface = surface_of("y^2 (x + 99)");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
     for (int n = 1; n <= 2; n++)
         for (int d = 0; d < 3; d++) {

@@ -256,7 +256,7 @@ TEST(exact) {
     static drawn d;
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
     const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
-    algsurf_surface *surface = surface_of("(x^2 + y^2 + z^2 - 1)^2");
+    algsurf_surface *surface = surface_of("(x^2 + y^2 + z^2 - 1)^2 (x + 99)");
     algsurf_scene *scene = scene_about(surface, &ball, NULL), *other = scene_about(surface, &ball, &bounded);
     for_each_scene(check_exact);
     check_exact(scene, surface, &ball);

@@ -56,7 +56,8 @@ typedef struct algsurf_hit {
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
                            interval is as a rule some 100 units in the last place wide (the effect of
-                           rounding P), else it is the one that isolates the hit.  Coefficients that are
+                           rounding P), else it is the one that isolates the hit.  Doubles decide simple
+                           roots, and, where P = c Q^k, what is simple for Q.  Coefficients that are
                            known up to an error widen it.  Undecided: there may be a hit in it, or none */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P at the position, unit length, its direction to 10^-4 degrees,
@@ -113,7 +114,9 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * (origin, direction, NaN t, extent, planes, options), E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
  * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
- * only beyond degree 10 or so.  42 KiB of stack.  Since 1.0. */
+ * only beyond degree 10 or so.  If P is exactly c Q^k, with coefficients of Q below 2^53 in a common unit, a
+ * ray takes the time of Q, unless an observer watches it or `side` asks for a sign that P has nowhere.  42 KiB
+ * of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,

@@ -143,6 +143,12 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
     }
 }
 
+/* Turns a gradient towards the viewer, for a `front` of 1, or away from it. */
+INLINE void turn_to_front(lanes gradient[3], const lanes along[3], int front) {
+    mask back = less(all_lanes(0), front * dot(gradient, along));
+    for (int i = 0; i < 3; i++) gradient[i] = choose(back, -gradient[i], gradient[i]);
+}
+
 /* Entries from `first` on: so many packets, the last one of `count` entries.  Tells which of them have their
  * root, and returns whether all have. */
 INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const int *pixel,
@@ -178,6 +184,7 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
     for (int w = 0; w < packets; w++) {
         const int from = first + w * LANES;
         lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
+        if (job->front) turn_to_front(normal, r[w].along, job->front);
         mask found = ~much[w];
         if (sheets) found &= on_sheets(s, &r[w], p.v[w], sheets, from, count);
         all &= tell_sure(found, sure, from, count);

@@ -106,6 +106,7 @@ typedef struct algsurf_i_point_job {
     const algsurf_surface *surface;
     const algsurf_i_row_job *row;
     const algsurf_i_look_frame *looks; /* of the points, if they are asked for */
+    int front; /* the sign that P has before every hit, if it has one, and so its normal's; else 0 */
 } algsurf_i_point_job;
 
 /* What algsurf_i_tile tells of the sheet of each entry. */

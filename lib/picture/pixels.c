@@ -151,7 +151,8 @@ static int find_points(algsurf_i_worker *worker, const algsurf_i_row_job *job, i
                        const algsurf_i_sheets *sheets) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_point_job points = {picture->scene->surface, job, &picture->colours.frame};
+    const algsurf_i_point_job points = {picture->scene->surface, job, &picture->colours.frame,
+                                        algsurf_i_surface_front(picture->scene->given)};
     const algsurf_i_points found = algsurf_i_points_to_find(worker, first);
     int all = picture->code->points(&points, line->pixel + first, line->depth + first, line->count - first,
                                     sheets, line->sure + first, &found);

@@ -34,7 +34,8 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
     if (!surface || !scene) return ALGSURF_E_ARGUMENT;
     algsurf_scene *made = calloc(1, sizeof *made);
     if (!made) return ALGSURF_E_NO_MEMORY;
-    made->surface = surface;
+    made->given = surface;
+    made->surface = algsurf_i_surface_solved(surface);
     made->extent.kind = ALGSURF_EXTENT_ALL;
     (void)algsurf_camera_pinhole(eye, look_at, up, 30, &made->camera);
     made->material = default_material;
@@ -176,7 +177,7 @@ ALGSURF_I_PUBLIC(algsurf_status, scene_set_clip, set_clip,
 
 /* Takes the imaginary parts that play a part from the caller. */
 static void copy_imaginary(algsurf_scene *scene) {
-    const int top = algsurf_i_top_imaginary(&scene->space, scene->surface->degree);
+    const int top = algsurf_i_top_imaginary(&scene->space, scene->given->degree);
     for (int k = 0; k <= top; k++) scene->imaginary[k] = scene->space.imaginary[k];
     scene->space.imaginary = scene->imaginary;
     scene->space.imaginary_count = (size_t)(top + 1);
@@ -189,12 +190,13 @@ static algsurf_status set_complex_space(algsurf_scene *scene, const algsurf_comp
     if (!scene) return ALGSURF_E_ARGUMENT;
     if (space) {
         algsurf_status status =
-            algsurf_intersect_complex(scene->surface, NULL, &nothing, space, NULL, NULL, &miss, NULL);
+            algsurf_intersect_complex(scene->given, NULL, &nothing, space, NULL, NULL, &miss, NULL);
         if (status != ALGSURF_OK) return status;
         (void)algsurf_options_read(&scene->space, sizeof scene->space, space);
         copy_imaginary(scene);
     }
     scene->complex = space != NULL;
+    scene->surface = space ? scene->given : algsurf_i_surface_solved(scene->given);
     return ALGSURF_OK;
 }
 

@@ -4,7 +4,8 @@
 #include "algsurf/render.h"
 
 struct algsurf_scene {
-    const algsurf_surface *surface; /* borrowed */
+    const algsurf_surface *given;   /* borrowed */
+    const algsurf_surface *surface; /* what rays ask: the given one, or in real space that of a root */
     algsurf_extent extent;
     algsurf_camera camera;
     algsurf_material material;

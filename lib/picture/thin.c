@@ -75,7 +75,7 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
     algsurf_i_row_job job;
     if (dips->count == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    const algsurf_i_point_job points = {scene->surface, &job, NULL};
+    const algsurf_i_point_job points = {scene->surface, &job, NULL, 0};
     picture->code->find_thin(&points, dips, worker->tiling.thin);
     for (int i = 0; i < dips->count; i++) {
         const int x = dips->at[i], is_hit = line->state[x] == ALGSURF_STATE_HIT &&

@@ -295,7 +295,9 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
                               double precision, double lo[3], double hi[3], int *empty) {
     cell box;
     if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
-    search s = {.surface = surface, .degree = surface->degree, .part = part};
+    search s = {.surface = algsurf_i_surface_solved(surface), .part = part};
+    s.degree = s.surface->degree;
+    if (surface->root) s.part = ALGSURF_PART_ALL; /* all points of c Q^k are singular */
     algsurf_status status = algsurf_i_extent_check(extent);
     if (status != ALGSURF_OK) return status;
     if (extent->kind == ALGSURF_EXTENT_ALL || !has_good_part(part)) return ALGSURF_E_ARGUMENT;
@@ -313,8 +315,8 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
     if (found == NO_MEMORY) return ALGSURF_E_NO_MEMORY;
     *empty = found == EMPTY;
     for (int i = 0; i < 3 && !*empty; i++) {
-        lo[i] = algsurf_i_scale_down(box.lo[i], surface->unit);
-        hi[i] = algsurf_i_scale_up(box.hi[i], surface->unit);
+        lo[i] = algsurf_i_scale_down(box.lo[i], s.surface->unit);
+        hi[i] = algsurf_i_scale_up(box.hi[i], s.surface->unit);
     }
     return ALGSURF_OK;
 }

@@ -119,6 +119,8 @@ static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, cons
     const algsurf_i_wanted wanted = {want, q->options.side, q->memory_limit, q->options.observer};
     algsurf_status status =
         algsurf_i_exact_roots(q->surface, &q->region, ray, &wanted, roots, count, &hits->side);
+    if (status == ALGSURF_OK && q->crossings && *count && !roots[0].reason && !roots[0].multiplicity)
+        *count = hits->side = 0;
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
         if (roots[i].reason == ALGSURF_OK)
             make_hit(q, ray, roots + i, hits + i);
@@ -167,10 +169,15 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
  * none, hits->side is that of the miss. */
 static algsurf_status find(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want, int tried,
                            algsurf_hit *hits, int *count, uint64_t *exact) {
+    algsurf_status status = ALGSURF_OK;
     *count = tried ? -1 : hits_in_lane(q, ray, want, hits);
-    if (*count >= 0) return ALGSURF_OK;
-    *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
-    return decide(q, ray, want, hits, count);
+    if (*count < 0) {
+        *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
+        status = decide(q, ray, want, hits, count);
+    }
+    for (int i = 0; i < *count && want != ALGSURF_WANT_ANY && status == ALGSURF_OK; i++)
+        algsurf_i_hit_of_power(q, hits + i);
+    return status;
 }
 
 algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *ray, int tried,
@@ -179,7 +186,10 @@ algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *
     int count;
     algsurf_status status = find(q, ray, ALGSURF_WANT_FIRST, tried, found, &count, exact);
     if (status != ALGSURF_OK) return status;
-    if (!count) algsurf_i_set_miss(found, found->side);
+    if (!count) {
+        algsurf_i_set_miss(found, found->side);
+        algsurf_i_hit_of_power(q, found);
+    }
     *hit = found[0];
     return ALGSURF_OK;
 }

@@ -9,7 +9,9 @@
 
 /* It holds pointers into itself: it is not to be copied. */
 typedef struct algsurf_i_query {
-    const algsurf_surface *surface;
+    const algsurf_surface *surface; /* the caller's, or Q where P = c Q^power; 1 otherwise: */
+    int power, power_sign;          /* the sign of c */
+    int crossings;                  /* 1: a ray in the surface has no hit */
     algsurf_intersect_options options;
     size_t memory_limit;     /* of deciding one ray, in bytes */
     int has_method;          /* has the caller chosen how brackets are refined? */
@@ -37,6 +39,9 @@ static inline algsurf_refine_options algsurf_i_refinement_of(const algsurf_inter
  * Returns OK, or the error of algsurf_intersect_first for extent or options. */
 algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
                                     const algsurf_extent *extent, const algsurf_intersect_options *given);
+
+/* Makes of Q's answer P's: multiplicity, side and normal. */
+void algsurf_i_hit_of_power(const algsurf_i_query *q, algsurf_hit *hit);
 
 /* What follows is in the standard floating-point environment. */
 

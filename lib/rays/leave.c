@@ -43,23 +43,28 @@ static double first_step(const algsurf_surface *surface, const double position[3
     return status == ALGSURF_OK && step < FARTHEST ? fmax(step, NEAREST) : FARTHEST;
 }
 
+/* Is the sign at x `side`, or with side 0, is it sure? */
 static int is_beside(const algsurf_surface *surface, const double x[3], int side) {
     double value, bound;
-    return algsurf_surface_value(surface, x, &value, &bound) == ALGSURF_OK && side * value > bound;
+    return algsurf_surface_value(surface, x, &value, &bound) == ALGSURF_OK &&
+           (side ? side * value : fabs(value)) > bound;
 }
 
-static algsurf_status leave(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_hit *hit,
+static algsurf_status leave(const algsurf_surface *given, const algsurf_ray *ray, const algsurf_hit *hit,
                             int side, double start[3]) {
     double x[3], direction[3];
-    algsurf_status status = check(surface, ray, hit, side, start);
+    algsurf_status status = check(given, ray, hit, side, start);
     if (status != ALGSURF_OK) return status;
+    const algsurf_surface *surface = algsurf_i_surface_solved(given);
+    const int front = algsurf_i_surface_front(given);
+    if (front && side != front) return ALGSURF_NOT_VERIFIED;
     if (!direction_of(ray, hit, side, direction)) return ALGSURF_NOT_VERIFIED;
     const double size = fmax(algsurf_max_abs(hit->position), ldexp(1, surface->unit)),
                  first = first_step(surface, hit->position, size);
     double step = first, factor = 2;
     while (step >= NEAREST) {
         for (int i = 0; i < 3; i++) x[i] = hit->position[i] + step * size * direction[i];
-        if (is_beside(surface, x, side)) {
+        if (is_beside(surface, x, front ? 0 : side)) {
             for (int i = 0; i < 3; i++) start[i] = x[i];
             return ALGSURF_OK;
         }

@@ -25,6 +25,7 @@ enum { PIECE = 32 };
 typedef struct piece {
     double number[8][PIECE];
     unsigned char active[PIECE];
+    signed char side[PIECE]; /* of the answers */
 } piece;
 
 /* A number of an array of doubles or floats, one of which is null; where both are, what is meant by that. */
@@ -125,6 +126,22 @@ static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hi
     }
 }
 
+/* Lanes have answered for Q. */
+static ALGSURF_NOINLINE void answer_for_power(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                                              const algsurf_hit_packet *hits) {
+    for (size_t i = 0; i < rays->count; i++) {
+        if (!is_active(rays, i) || left_alone(rays, hits->state, i)) continue;
+        algsurf_hit hit = {.multiplicity = hits->multiplicity ? hits->multiplicity[i] : 0,
+                           .side = hits->side ? hits->side[i] : 0};
+        for (int k = 0; k < 3; k++) hit.normal[k] = hits->normal[k] ? hits->normal[k][i] : 0;
+        algsurf_i_hit_of_power(q, &hit);
+        if (hits->multiplicity) hits->multiplicity[i] = hit.multiplicity;
+        if (hits->side) hits->side[i] = (signed char)hit.side;
+        for (int k = 0; k < 3; k++)
+            if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
+    }
+}
+
 /* A ray that could not be decided for want of memory. */
 static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_STATE_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
@@ -186,10 +203,15 @@ static algsurf_status occlude(const algsurf_i_query *q, const algsurf_ray_packet
 static algsurf_status answer(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
                              const algsurf_hit_packet *hits, uint64_t *exact) {
     solve_together(q, rays, any, hits);
+    if (q->power > 1 && !any) answer_for_power(q, rays, hits);
     return any ? occlude(q, rays, hits->state) : finish(q, rays, hits, exact);
 }
 
-/* ---- packets that are no such arrays, or have bad rays ---- */
+/* ---- packets that are no such arrays, have bad rays, or do not ask for the sides that are needed ---- */
+
+static int needs_sides(const algsurf_i_query *q, const algsurf_hit_packet *hits) {
+    return q->power % 2 == 0 && !hits->side && (hits->normal[0] || hits->normal[1] || hits->normal[2]);
+}
 
 static algsurf_hit_packet hits_from(const algsurf_hit_packet *hits, size_t first) {
     algsurf_hit_packet from = *hits;
@@ -236,7 +258,8 @@ static ALGSURF_NOINLINE algsurf_status answer_in_pieces(const algsurf_i_query *q
     algsurf_status status = ALGSURF_OK;
     piece p;
     for (size_t first = 0; first < rays->count; first += PIECE) {
-        const algsurf_hit_packet to = hits_from(hits, first);
+        algsurf_hit_packet to = hits_from(hits, first);
+        if (!to.side) to.side = p.side;
         const algsurf_ray_packet some = take_piece(rays, first, &p, &to, &status);
         algsurf_status one = answer(q, &some, any, &to, exact);
         if (status == ALGSURF_OK) status = one;
@@ -247,7 +270,8 @@ static ALGSURF_NOINLINE algsurf_status answer_in_pieces(const algsurf_i_query *q
 static algsurf_status answer_all(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
                                  const algsurf_hit_packet *hits, uint64_t *exact) {
     if (!hits->state) return rays->count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    return all_good(rays) ? answer(q, rays, any, hits, exact) : answer_in_pieces(q, rays, any, hits, exact);
+    return all_good(rays) && !needs_sides(q, hits) ? answer(q, rays, any, hits, exact)
+                                                   : answer_in_pieces(q, rays, any, hits, exact);
 }
 
 /* ---- the calls ---- */

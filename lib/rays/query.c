@@ -51,10 +51,30 @@ static int scale_planes(algsurf_i_query *q) {
     return 1;
 }
 
+/* P's roots are Q's where P = c Q^k, unless somebody watches P's, or asks for hits before which c Q^k has the
+ * sign that it has nowhere. */
+static const algsurf_surface *choose_root(algsurf_i_query *q, const algsurf_surface *surface) {
+    const int front = algsurf_i_surface_front(surface), opposite = front && q->options.side == -front;
+    q->power = 1, q->crossings = 0;
+    if (!surface->root || q->options.observer || opposite) return surface;
+    q->power = surface->power, q->power_sign = surface->power_sign;
+    if (front) q->crossings = q->options.side != 0, q->options.side = 0;
+    return surface->root;
+}
+
+void algsurf_i_hit_of_power(const algsurf_i_query *q, algsurf_hit *hit) {
+    if (q->power == 1) return;
+    hit->multiplicity *= q->power;
+    if (q->power % 2) return;
+    /* shortly before the hit the gradient is a positive multiple of c Q^(k-1) grad Q */
+    for (int i = 0; i < 3; i++) hit->normal[i] *= hit->side * q->power_sign;
+    hit->side = hit->side ? q->power_sign : 0;
+}
+
 /* All of it but the options, which are there. */
-static void prepare(algsurf_i_query *q, const algsurf_surface *surface, const algsurf_extent *extent) {
+static void prepare(algsurf_i_query *q, const algsurf_surface *given, const algsurf_extent *extent) {
+    const algsurf_surface *surface = q->surface = choose_root(q, given);
     const algsurf_intersect_options *options = &q->options;
-    q->surface = surface;
     q->memory_limit = options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
     q->has_method = options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
     q->region = (algsurf_i_region){extent, options->planes, options->plane_count};

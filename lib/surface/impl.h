@@ -56,6 +56,9 @@ struct algsurf_surface {
      * up to about this, in natural units: where to look first, no bound. */
     double spread;
     int goes_far; /* 1: P's highest terms are not of one sign, as far as was looked: roots are far out, too */
+    /* P = c Q^power, or root is null.  Rays ask Q; they and their answers are as for P. */
+    algsurf_surface *root;      /* Q: owned */
+    int power, power_sign;      /* >= 2; the sign of c, which is 1 where the power is odd */
     unsigned char degree_in[8]; /* P's degree in those coordinates whose bits, 1, 2, 4, are set */
 };
 
@@ -70,6 +73,19 @@ algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, d
 
 /* Sets what packets of rays need; 0 when there is no memory. */
 int algsurf_i_surface_set_tables(algsurf_surface *s);
+
+/* Sets the root, if there is one; OK or E_NO_MEMORY. */
+algsurf_status algsurf_i_surface_find_power(algsurf_surface *s);
+
+/* The surface that rays ask: it has the same points, and its polynomial fewer multiple roots. */
+static inline const algsurf_surface *algsurf_i_surface_solved(const algsurf_surface *s) {
+    return s->root ? s->root : s;
+}
+
+/* The sign of P in front of every hit, where Q^k has the same sign everywhere; else 0. */
+static inline int algsurf_i_surface_front(const algsurf_surface *s) {
+    return s->root && s->power % 2 == 0 ? s->power_sign : 0;
+}
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
  * natural coordinates), in double, no bounds. */

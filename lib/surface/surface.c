@@ -225,6 +225,7 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
         set_strides(s);
         if (!algsurf_i_surface_set_tables(s)) status = ALGSURF_E_NO_MEMORY;
     }
+    if (status == ALGSURF_OK) status = algsurf_i_surface_find_power(s);
     if (status == ALGSURF_OK) {
         *surface = s;
     } else {
@@ -264,6 +265,7 @@ void algsurf_surface_free(algsurf_surface *surface) {
     free(surface->rows);
     free(surface->coef);
     free(surface->tables);
+    algsurf_surface_free(surface->root);
     free(surface);
 }
 
