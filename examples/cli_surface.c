@@ -128,6 +128,23 @@ static void read_jsurf(cli_surface *choice) {
     choice->equation = read->equation;
 }
 
+/* Ends the program when it is the name of a file: there is one, or it has such an ending. */
+static void refuse_file(const char *text) {
+    const char *ending = strrchr(text, '.');
+    size_t length = ending ? strlen(ending + 1) : 0;
+    int named =
+        length >= 2 && length <= 5 && isalpha((unsigned char)ending[1]) && !strpbrk(text, "=^*+(){}[]|;$ ");
+    FILE *file = fopen(text, "rb");
+    if (file) fclose(file);
+    algsurf_surface *surface = NULL;
+    int is_equation =
+        (file || named) && algsurf_surface_from_equation(text, NULL, 0, &surface, NULL) == ALGSURF_OK;
+    algsurf_surface_free(surface);
+    if ((file || named) && !is_equation)
+        cli_fail(CLI_BAD_INPUT, "%s: not a file of SURFER, name.jsurf; a file of terms is read by --terms",
+                 cli_quote(text).text);
+}
+
 void cli_settle_surface(cli_surface *choice) {
     choice->path = choice->terms;
     if (!choice->name || catalogue_find(choice->name)) return;
@@ -136,6 +153,7 @@ void cli_settle_surface(cli_surface *choice) {
         choice->name = NULL;
         return;
     }
+    if (!choice->equation && !choice->terms) refuse_file(choice->name);
     if (!is_equation(choice->name, choice->let_count > 0)) return;
     if (choice->equation)
         cli_fail(CLI_BAD_INPUT, "two equations: --equation, and '%s'", cli_quote(choice->name).text);
@@ -158,11 +176,45 @@ void cli_forget_surface(cli_surface *choice) {
 
 /* ---- equations and constants ---- */
 
-/* Values of constants; names belong to the options. */
+/* Values of constants, and sums with x, y, z that have names; all names belong to the options. */
 typedef struct values {
     algsurf_constant *all;
     size_t count;
+    const cli_let **sums;
+    size_t sum_count;
 } values;
+
+static values make_values(size_t count) {
+    values made = {calloc(count + 1, sizeof *made.all), 0, calloc(count + 1, sizeof *made.sums), 0};
+    if (!made.all || !made.sums) cli_no_memory();
+    return made;
+}
+
+static void free_values(values *known) {
+    free(known->all);
+    free(known->sums);
+}
+
+/* The text behind the definitions of the sums, as the library takes them; to be freed. */
+static char *with_sums(const values *known, const char *text) {
+    size_t length = strlen(text) + 1, at = 0;
+    for (size_t i = 0; i < known->sum_count; i++)
+        length += strlen(known->sums[i]->name) + strlen(known->sums[i]->value) + strlen("=;");
+    char *whole = malloc(length);
+    if (!whole) cli_no_memory();
+    for (size_t i = 0; i < known->sum_count; i++)
+        at +=
+            (size_t)snprintf(whole + at, length - at, "%s=%s;", known->sums[i]->name, known->sums[i]->value);
+    memcpy(whole + at, text, length - at);
+    return whole;
+}
+
+static algsurf_status read_equation(const values *known, const char *text, algsurf_surface **surface) {
+    char *whole = with_sums(known, text);
+    algsurf_status status = algsurf_surface_from_equation(whole, known->all, known->count, surface, NULL);
+    free(whole);
+    return status;
+}
 
 enum { MOST_NAMES = 6 }; /* without a value, told at once */
 
@@ -231,10 +283,6 @@ static _Noreturn void refuse_equation(const values *known, const char *what, con
                                       algsurf_status status, const algsurf_parse_error *error) {
     const char *shown = text + skipped;
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
-    if (status == ALGSURF_E_ZERO)
-        cli_fail(CLI_BAD_INPUT, "%s: %s", what,
-                 skipped ? "expected a constant, without x, y and z"
-                         : "it holds at every point, whatever x, y and z are: that is no surface");
     if (!error->message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
     algsurf_parse_error at = *error;
     if (status == ALGSURF_E_NAME && try_euler(known, text, &at) != ALGSURF_E_SYNTAX)
@@ -244,11 +292,15 @@ static _Noreturn void refuse_equation(const values *known, const char *what, con
                 cli_column(shown, at.offset - skipped), name.text, *name.text ? ": " : "", at.message);
 }
 
+/* Null for a text that holds at every point; skipped: not the user's. */
 static algsurf_surface *parse(const values *known, const char *what, const char *text, size_t skipped) {
     algsurf_surface *surface = NULL;
     algsurf_parse_error error = {0, 0, NULL};
-    algsurf_status status = algsurf_surface_from_equation(text, known->all, known->count, &surface, &error);
-    if (status != ALGSURF_OK) refuse_equation(known, what, text, skipped, status, &error);
+    char *whole = with_sums(known, text);
+    algsurf_status status = algsurf_surface_from_equation(whole, known->all, known->count, &surface, &error);
+    if (status != ALGSURF_OK && status != ALGSURF_E_ZERO)
+        refuse_equation(known, what, whole, strlen(whole) - strlen(text) + skipped, status, &error);
+    free(whole);
     return surface;
 }
 
@@ -261,21 +313,26 @@ static char *as_plane(const char *value) {
     return strcat(strcpy(text, PLANE), value);
 }
 
-static double constant_of(const values *known, const cli_let *let) {
+/* One value more: a constant, or a sum with x, y, z. */
+static void add_value(values *known, const cli_let *let) {
     char *text = as_plane(let->value), what[64];
     snprintf(what, sizeof what, "--let %.40s", let->name);
+    if (strchr(let->value, ';')) cli_fail(CLI_BAD_INPUT, "%s: expected one value, without ';'", what);
     algsurf_surface *plane = parse(known, what, text, strlen(PLANE));
     algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     size_t count = algsurf_surface_term_count(plane);
-    int is_plane = count <= 2 && algsurf_surface_terms(plane, terms) == ALGSURF_OK && terms[0].i == 1 &&
-                   terms[0].a == 1 && algsurf_surface_degree(plane) == 1 && terms[1].i == 0 &&
-                   terms[1].j == 0 && terms[1].k == 0;
-    if (!is_plane)
-        cli_fail(CLI_BAD_INPUT, "%s: expected a constant, without x, y and z: '%s'", what,
-                 cli_quote(let->value).text);
+    int is_plane = plane && count <= 2 && algsurf_surface_terms(plane, terms) == ALGSURF_OK &&
+                   terms[0].i == 1 && terms[0].a == 1 && algsurf_surface_degree(plane) == 1 &&
+                   terms[1].i == 0 && terms[1].j == 0 && terms[1].k == 0;
     algsurf_surface_free(plane);
     free(text);
-    return count == 2 ? -terms[1].a : 0;
+    if (is_plane) {
+        known->all[known->count++] = (algsurf_constant){let->name, count == 2 ? -terms[1].a : 0};
+    } else if (let->name[strspn(let->name, "xyzXYZ")] == '\0') {
+        cli_fail(CLI_BAD_INPUT, "%s: expected a constant; what has x, y or z needs another name", what);
+    } else {
+        known->sums[known->sum_count++] = let;
+    }
 }
 
 /* ---- constants that nothing depends on ---- */
@@ -297,17 +354,17 @@ static int have_equal_terms(const algsurf_surface *a, const algsurf_surface *b) 
 
 /* Does the text, an equation, read otherwise without that constant? */
 static int depends_on(const values *known, const char *text, const char *name) {
-    values others = {calloc(known->count + 1, sizeof *others.all), 0};
+    values others = make_values(known->count + known->sum_count);
     algsurf_surface *with = NULL, *without = NULL;
-    if (!others.all) cli_no_memory();
     for (size_t i = 0; i < known->count; i++)
         if (strcmp(known->all[i].name, name) != 0) others.all[others.count++] = known->all[i];
-    algsurf_status is = algsurf_surface_from_equation(text, known->all, known->count, &with, NULL);
-    algsurf_status was = algsurf_surface_from_equation(text, others.all, others.count, &without, NULL);
+    for (size_t i = 0; i < known->sum_count; i++)
+        if (strcmp(known->sums[i]->name, name) != 0) others.sums[others.sum_count++] = known->sums[i];
+    algsurf_status is = read_equation(known, text, &with), was = read_equation(&others, text, &without);
     int depends = is != was || (is == ALGSURF_OK && !have_equal_terms(with, without));
     algsurf_surface_free(with);
     algsurf_surface_free(without);
-    free(others.all);
+    free_values(&others);
     return depends;
 }
 
@@ -335,14 +392,12 @@ static void check_used(const cli_surface *choice, const values *known, const cha
 
 /* The constants of the options, and one more before them if its name is not null. */
 static values evaluate(const cli_surface *choice, const char *name, double value) {
-    values known = {calloc(choice->let_count + 1, sizeof *known.all), 0};
-    if (!known.all) cli_no_memory();
+    values known = make_values(choice->let_count + 1);
     if (name) known.all[known.count++] = (algsurf_constant){name, value};
     for (size_t i = 0; i < choice->let_count; i++) {
         const cli_let *let = &choice->lets[i];
         if (name && let->from_file && is_same_name(let->name, name)) continue;
-        double x = constant_of(&known, let);
-        known.all[known.count++] = (algsurf_constant){let->name, x};
+        add_value(&known, let);
     }
     return known;
 }
@@ -362,8 +417,11 @@ static algsurf_surface *from_equation(const cli_surface *choice, const char *tex
                                       double value) {
     values known = evaluate(choice, name, value);
     algsurf_surface *surface = parse(&known, "equation", text, 0);
+    if (!surface)
+        cli_fail(CLI_BAD_INPUT,
+                 "equation: it holds at every point, whatever x, y and z are: that is no surface");
     if (choice->equation) check_used(choice, &known, name);
-    free(known.all);
+    free_values(&known);
     return choice->rounded ? with_rounding(surface) : surface;
 }
 

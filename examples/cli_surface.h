@@ -5,7 +5,7 @@
 #include "cli.h"
 #include "jsurf_file.h"
 
-/* A constant of the equation; its value is an expression in those before it. */
+/* A constant of the equation, or a sum with x, y, z; its value is an expression in those before it. */
 typedef struct cli_let {
     char *name, *value;
     int from_file; /* of SURFER: options come before it */
@@ -29,7 +29,8 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
      offsetof(type, surface.equation), 0, 0},                                                                \
     {"--let", "A=VALUE",                                                                                     \
      "gives a letter of the equation a value: a number, or an expression such as\n"                          \
-     "(1+sqrt(5))/2, in which letters given before may occur; repeatable, or A=1,B=2",                       \
+     "(1+sqrt(5))/2, in which letters given before may occur, and x, y, z, as in\n"                          \
+     "w=y^2+z^2; repeatable, or A=1,B=2",                                                                     \
      cli_set_let, offsetof(type, surface), 0, 0},                                                            \
     {"--terms", "FILE", "reads the surface from a file, a line \"i j k a\" for each term a x^i y^j z^k",     \
      cli_set_text, offsetof(type, surface.terms), 0, 0},                                                     \

@@ -85,7 +85,7 @@ static const struct {
     {"1.5.2x", ALGSURF_E_SYNTAX, 3},
     {"x.5", ALGSURF_E_SYNTAX, 1},
     {".", ALGSURF_E_SYNTAX, 0},
-    {"x .", ALGSURF_E_SYNTAX, 2},
+    {"x . y", ALGSURF_E_SYNTAX, 2},
     {"x2", ALGSURF_E_SYNTAX, 0},
     {"y+x_", ALGSURF_E_SYNTAX, 2},
     {"1+foo", ALGSURF_E_NAME, 2},

@@ -70,8 +70,37 @@ static const char *const latex[][2] = {
     {"2\\pi x+\\pi^2y", "2pi x+pi^2y"},
     {"\\sin(1)x+\\cos\\left(\\frac{\\pi}{5}\\right)y+\\sin{2}", "sin(1)x+cos(pi/5)y+sin(2)"},
     {"$$P\\left(x,y,z\\right)=x^2-y$$", "x^2-y"},
+    {"\\begin{equation} x^2 = y \\end{equation}", "x^2-y"},
+    {" \\begin{align*} x &= y - \\frac{1}{2}, \\end{align*} ", "x-y+1/2"},
+    {"\\begin{math}x\\end{math}.", "x"},
+    {"$\\displaystyle x = y.$;", "x-y"},
+    {"x^2 = y ,", "x^2-y"},
     {"x+y\\cos\\frac{2\\pi}{5}=z\\sin \\frac{\\pi}{5}", "x+y*cos(2pi/5)-z*sin(pi/5)"},
 };
+
+/* As other programs have them.  Catches: a sign, a coefficient or a power that is taken for another. */
+TEST(test_programs) {
+    static const char *const others[][2] = {
+        {"x.^2+y.*z./2-1.^2", "x^2+y z/2-1"}, /* MATLAB */
+        {"2.*x.^2-3.5.*y", "2x^2-3.5y"},
+        {"Sqrt[2] x + Sin[Pi/6]y - Cos[0] z==1", "sqrt(2)x+y/2-z-1"},                     /* Mathematica */
+        {"poly {2, <1,2,3,4,5,6,7,8,9,10>}", "x^2+2x y+3x z+4x+5y^2+6y z+7y+8z^2+9z+10"}, /* POV-Ray */
+        {"poly { 1 <-1/2, .5e1, 0, sqrt(4)> sturm }", "-x/2+5y+2"},
+        {"cubic { <1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20> }",
+         "x^3+2x^2y+3x^2z+4x^2+5x y^2+6x y z+7x y+8x z^2+9x z+10x+11y^3+12y^2z+13y^2+14y z^2+15y z+16y+17z^3+"
+         "18z^2+19z+20"},
+        {"quartic { <1,0,0,0,2,0,0,2,0,-10,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,6,0,0,0,0,1,0,-10,0,9> }",
+         "(x^2+y^2+z^2)^2-10(x^2+z^2)+6y^2+9"},
+        {"quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 };", "x^2+2y^2+3z^2+4x y+5x z+6y z+7x+8y+9z+10"},
+        {"function { x^2 + {y} - 1 }", "x^2+y-1"},
+        {"function(x,y,z) {x=y};", "x-y"},
+        {"x<sup>2</sup>+y<sup> 1+2 </sup>z<sup>4</sup>=1", "x^2+y^3z^4-1"}, /* HTML */
+        {"-x<sup>2</sup>", "-x^2"},
+    };
+    for (size_t c = 0; c < sizeof others / sizeof *others; c++) same(others[c][0], others[c][1]);
+    const algsurf_constant poly = {"poly", 2};
+    same_with("poly x", &poly, 1, "2x");
+}
 
 /* Catches: each command; one whose name begins another's; a digit cut off or too many behind \frac. */
 TEST(test_latex) {
@@ -271,7 +300,30 @@ static const refused_text explanations[] = {
     {"x = 1 and y = 2", "and", "one equation"},
     {"x or y", "or", "one equation"},
     {"x = 1, y = 2", ",", "one equation"},
-    {"(x, y)", ",", "decimal point"},
+    {"(x, y)", ",", "no points or vectors"},
+    {"(0,5x+y)", ",", "decimal point"},
+    {"(1,2,3)", ",", "no points or vectors"},
+    {"<1,2>", "<", "expected '='"},
+    {"Abs[x]+y", "Abs", "not a polynomial"}, /* other programs */
+    {"Power[x, 2]", "Power", "write x^2"},
+    {"ContourPlot3D[x^2==1, {x,-1,1}]", "ContourPlot3D", "no function of this name"},
+    {"isosurface { function { x } }", "isosurface", "of POV-Ray"},
+    {"poly { 65, <1> }", "65", "the order of poly"},
+    {"poly { 1, <1, 2, 3> }", "}", "too few coefficients"},
+    {"poly { 1, <1, 2, 3, 4, 5> }", "5", "too many coefficients"},
+    {"poly { 1, <1, 2, x, 4> }", "x", "expected a constant"},
+    {"quadric { <1,1,1>,<0,0,0>,<0,0,0>,2 } x", "x", "expected"},
+    {"cubic { <1> texture", "texture", "of POV-Ray"},
+    {"function { x", "", "sign that closes"},
+    {"x<sup>2+", "", "expected a number"},
+    {"x<sup>2=1", "=", "or </sup>"},
+    {"<sup>2</sup>", "<sup>", "nothing before it"},
+    {"x<sub>1</sub>", "<sub>", "coordinates are x, y and z"},
+    {"x^2 & y", "&", "one equation"},
+    {"x.^y", "y", "in an exponent"},
+    {"\\begin{eqnarray} x", "\\begin", "LaTeX is not understood"},
+    {"\\begin{equation} x", "", "sign that closes"},
+    {"x = y. z", ".", "the end"},
 };
 
 /* What is refused because it is no polynomial, or is a slip, is told what to do.  Catches: an explanation

@@ -105,6 +105,9 @@ static void *const untouched = &alive; /* any address the library cannot return 
 
 static const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {1, 1, 1, 0.5}, {0, 0, 0, -1}};
 MAKES(from_terms, algsurf_surface, algsurf_surface_free, algsurf_surface_from_terms(terms, 5, &s))
+static const char defined[] = "w = k x + y; v = w^2; T_4(w) v ww = P_3(z)T_20(x+y+z)";
+MAKES(from_definitions, algsurf_surface, algsurf_surface_free,
+      algsurf_surface_from_equation(defined, constants, 1, &s, NULL))
 MAKES(from_equation, algsurf_surface, algsurf_surface_free,
       algsurf_surface_from_equation(equation, constants, 1, &s, NULL))
 
@@ -390,6 +393,7 @@ TEST(test_certified_picture) {
 TEST(test_surface) {
     assert_true(refuse_each(from_terms) > 0);
     assert_true(refuse_each(from_equation) > 0);
+    assert_true(refuse_each(from_definitions) > 0);
     assert_true(refuse_each(from_factors) > 0);
 }
 

@@ -56,16 +56,26 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * longest one that can be read; if it is not a constant, it is the product of those it is made of: xyz, and
  * ax for a constant a.  sin and cos need no brackets for one number, name, root or fraction of LaTeX at the
  * end of a product: y cos a.  What readers differ about, sin pi/5 or cos a y, is refused.
+ *     Names may be defined before the equation: w = y^2 + z^2; x^2 - w = 0.  What w is may have x, y, z and
+ * names defined before it, and stands in brackets wherever w is; at most 20000 bytes are put in so.  A name
+ * has one value, and is no product of x, y and z.
+ *     T_n(a), U_n(a), P_n(a), with n from 0 to 64, are the polynomials of Chebyshev, of both kinds, and of
+ * Legendre in an expression a, T_6(x) + T_6(y) + T_6(z): also T_{6}(a), T with subscript digits,
+ * ChebyshevT[6, a], ChebyshevU, LegendreP, chebyshevT(6, a), chebyshevU, legendreP.  Coefficients of T and U
+ * are exact in double-double, those of P up to n = 30 at least.  A constant T_6 or T comes before them.
  *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
  * minus sign or dash is -, a division sign is /, superscript digits are an exponent, the signs of a quarter,
  * a half and three quarters are numbers, a root sign is sqrt of what follows it (a number, a name, a
  * bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they are constants;
- * no-break and other typographic spaces are blanks; the text may begin with '=', or with NAME(x,y,z) =, which
- * is skipped, and end with ';'.
+ * no-break and other typographic spaces are blanks; .^ .* ./ are ^ * /; x<sup>2</sup> is x^2; Sqrt, Sin, Cos
+ * are as with small letters; the text may begin with '=', or with NAME(x,y,z) =, which is skipped, and end
+ * with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x,y,z) { EQUATION }, and poly { n, < > },
+ * cubic { < > }, quartic { < > }, quadric { < >, < >, < >, j } with constants as coefficients, in its order.
  *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without backslash,
  * a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and \right
- * (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ are blanks; a pair $ $, $$ $$, \( \) or \[ \] may
- * stand about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
+ * (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ \displaystyle are blanks; &= is =; a pair $ $,
+ * $$ $$, \( \), \[ \], or \begin{equation} \end{equation} (align, both with *, displaymath, math) may stand
+ * about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
  * another letter, U+03D5; the Greek pi is none.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
  * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
@@ -78,8 +88,8 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * exponents), E_NAME (a name that is neither variable nor constant: a parameter that needs a value),
  * E_DEGREE (a product or power above degree 64, even if it would cancel; error points at its operator),
  * E_RANGE (a number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
- * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most in proportion to the length of the text, times the
- * number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s; and to the length of the names
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most in proportion to the length of the text, with what
+ * is defined put in, times the number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s; and to the length of the names
  * of the constants.  Nesting deeper than 100 is E_SYNTAX.
  * 96 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,

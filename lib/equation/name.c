@@ -10,7 +10,6 @@
 #include "read.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* Node 0 is the root; 0 in a link is none, or the root. */
 typedef struct algsurf_i_name_node {
@@ -51,8 +50,8 @@ static algsurf_status read_letters(algsurf_i_names *names, const char *text) {
     }
 }
 
-/* Adds the constant's name, from its end, to a tree of *count nodes. */
-static algsurf_status add(algsurf_i_names *names, const algsurf_constant *constant, size_t *count) {
+/* A name is read from its end. */
+algsurf_status algsurf_i_names_add(algsurf_i_names *names, const algsurf_constant *constant) {
     node *tree = names->node;
     size_t at = 0;
     algsurf_status status = read_letters(names, constant->name);
@@ -61,7 +60,7 @@ static algsurf_status add(algsurf_i_names *names, const algsurf_constant *consta
         int code = names->letter[i].code;
         size_t next = child_of(tree, at, code);
         if (!next) {
-            next = (*count)++;
+            next = names->nodes++;
             tree[next] = (node){code, 0, tree[at].child, 0, 0, NULL};
             tree[at].child = next;
         }
@@ -73,7 +72,8 @@ static algsurf_status add(algsurf_i_names *names, const algsurf_constant *consta
 }
 
 /* What a node falls back to is nearer to the root: the nodes are gone through by their depth. */
-static void link(node *tree) {
+void algsurf_i_names_link(algsurf_i_names *names) {
+    node *tree = names->node;
     size_t last = 0;
     size_t at = 0;
     do {
@@ -88,14 +88,10 @@ static void link(node *tree) {
     } while (at);
 }
 
-algsurf_status algsurf_i_names_make(algsurf_i_names *names, const algsurf_constant *constants, size_t count) {
-    size_t most = 1, nodes = 1;
-    for (size_t c = 0; c < count; c++) most += strlen(constants[c].name);
-    names->node = calloc(most, sizeof *names->node);
-    algsurf_status status = names->node ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
-    for (size_t c = 0; status == ALGSURF_OK && c < count; c++) status = add(names, &constants[c], &nodes);
-    if (status == ALGSURF_OK) link(names->node);
-    return status;
+algsurf_status algsurf_i_names_make(algsurf_i_names *names, size_t bytes) {
+    names->nodes = 1;
+    names->node = calloc(bytes + 1, sizeof *names->node);
+    return names->node ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 void algsurf_i_names_free(algsurf_i_names *names) {
@@ -112,6 +108,10 @@ algsurf_status algsurf_i_names_read(algsurf_i_names *names, const char *text) {
     return status;
 }
 
+static size_t parts_of(const algsurf_constant *constant) {
+    return algsurf_i_name_parts(constant->name, algsurf_i_name_length(constant->name));
+}
+
 static int is_pi(const algsurf_i_name_letter *letter) {
     return (letter[0].code == 'p' || letter[0].code == 'P') &&
            (letter[1].code == 'i' || letter[1].code == 'I');
@@ -122,12 +122,12 @@ size_t algsurf_i_names_factor(const algsurf_i_names *names, size_t i, const algs
     *constant = NULL;
     if (algsurf_i_variable(letter->code)) return 1;
     *constant = letter->constant;
-    if (*constant) return algsurf_i_name_parts((*constant)->name, strlen((*constant)->name));
+    if (*constant) return parts_of(*constant);
     return is_pi(letter) ? 2 : 0; /* behind the last letter there is one more, of code 0 */
 }
 
 const algsurf_constant *algsurf_i_names_whole(const algsurf_i_names *names) {
     const algsurf_constant *constant = names->count ? names->letter[0].constant : NULL;
     if (!constant) return NULL;
-    return algsurf_i_name_parts(constant->name, strlen(constant->name)) == names->count ? constant : NULL;
+    return parts_of(constant) == names->count ? constant : NULL;
 }

@@ -1,15 +1,13 @@
-/* parse.c - from an equation as text to a polynomial: recursive descent that computes.
+/* parse.c - from an expression as text to a polynomial: recursive descent that computes.
  *
- *     text     = [ open ] [ head ] equation [ close ] [ ";" ]      open and close: $ or another pair of LaTeX
- *     head     = name "(" "x" "," "y" "," "z" ")" "="
- *     equation = sum [ "=" sum ]  |  "=" sum                       without head, that one
  *     sum      = product { ("+" | "-") product }
  *     product  = signed { "*" signed | "/" signed | power }        the last: implicit multiplication
  *     signed   = { "+" | "-" } power
- *     power    = primary [ "^" signed | superscript { superscript } ]
+ *     power    = primary [ "^" signed | superscript { superscript } | "<sup>" sum "</sup>" ]
  *     primary  = number | name | bracket | ("sqrt" | "sin" | "cos") bracket | root-sign primary
  *              | ("sin" | "cos") primary                         behind that, no factor and no * / ^
  *              | "\sqrt" argument | "\frac" argument argument
+ *              | ("T" | "U" | "P") "_" index bracket
  *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
@@ -22,26 +20,21 @@
 #include "../base/arithmetic.h"
 #include "parse.h"
 
-#include <string.h>
-
 typedef algsurf_i_parser parser;
 
-/* The next token that is not blank; p->at is its place, p->token itself. */
-static int peek(parser *p) {
+int algsurf_i_parse_peek(parser *p) {
     p->at += algsurf_i_blanks(p->text + p->at);
     p->token = algsurf_i_token_at(p->text + p->at);
     return p->token.kind;
 }
 
-/* Moves behind the token that peek has seen. */
-static void take(parser *p) { p->at += p->token.width; }
+static int peek(parser *p) { return algsurf_i_parse_peek(p); }
+static void take(parser *p) { algsurf_i_parse_take(p); }
 
-static int parse_sum(parser *p);
 static int parse_signed(parser *p);
 static int parse_primary(parser *p);
 
-/* A part of the text, one level deeper. */
-static int nested(parser *p, size_t offset, int (*part)(parser *)) {
+int algsurf_i_parse_nested(parser *p, size_t offset, int (*part)(parser *)) {
     if (++p->depth > ALGSURF_I_DEPTH_LIMIT)
         return algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
     int ok = part(p);
@@ -49,8 +42,7 @@ static int nested(parser *p, size_t offset, int (*part)(parser *)) {
     return ok;
 }
 
-/* Refuses what stands here. */
-static int refuse_token(parser *p, const char *expected) {
+int algsurf_i_parse_refuse_here(parser *p, const char *expected) {
     (void)peek(p);
     return algsurf_i_refuse_token(p, expected);
 }
@@ -61,19 +53,18 @@ static const char *expected_closing(char closing) {
                             : "expected an operator or '}'";
 }
 
-/* From the opening bracket to the closing one. */
-static int parse_inside(parser *p) {
+int algsurf_i_parse_inside(parser *p) {
     char closing = algsurf_i_closing(p->token.kind);
     take(p);
-    if (!parse_sum(p)) return 0;
-    if (peek(p) != closing) return refuse_token(p, expected_closing(closing));
+    if (!algsurf_i_parse_sum(p)) return 0;
+    if (peek(p) != closing) return algsurf_i_parse_refuse_here(p, expected_closing(closing));
     take(p);
     return 1;
 }
 
 static int parse_bracket(parser *p) {
     if (!algsurf_i_closing(peek(p))) return algsurf_i_parse_refuse(p, p->at, "expected '('");
-    return nested(p, p->at, parse_inside);
+    return algsurf_i_parse_nested(p, p->at, algsurf_i_parse_inside);
 }
 
 /* The root of the operand that stands here. */
@@ -92,7 +83,8 @@ static int parse_root_sign(parser *p) {
 static int parse_argument(parser *p) {
     int c = peek(p);
     if (c == '{' || c == '(') return parse_bracket(p);
-    if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
+    if (c < '0' || c > '9')
+        return algsurf_i_parse_refuse_here(p, "expected '{' or a digit behind the command");
     take(p);
     return algsurf_i_parse_double(p, c - '0', 0);
 }
@@ -137,7 +129,8 @@ static int begins_operand(const parser *p, int c) {
 
 /* Does the product go on behind a factor?  c: the token there. */
 static int product_goes_on(const parser *p, int c) {
-    return begins_operand(p, c) || c == '*' || c == '/' || c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT;
+    return begins_operand(p, c) || c == '*' || c == '/' || c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT ||
+           c == ALGSURF_I_TOKEN_RAISED;
 }
 
 /* What a sine without brackets is of, as in \cos\frac{2\pi}{5} or sin a.  Readers differ about what belongs
@@ -148,8 +141,8 @@ static int parse_bare_argument(parser *p) {
     int c = p->token.kind;
     if (c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT)
         return algsurf_i_parse_refuse(p, offset, "an exponent behind sin or cos: write sin(a)^2");
-    if (!begins_operand(p, c)) return refuse_token(p, BRACKETS);
-    if (!nested(p, offset, parse_primary)) return 0;
+    if (!begins_operand(p, c)) return algsurf_i_parse_refuse_here(p, BRACKETS);
+    if (!algsurf_i_parse_nested(p, offset, parse_primary)) return 0;
     return !product_goes_on(p, peek(p)) || algsurf_i_parse_refuse(p, offset, BRACKETS);
 }
 
@@ -164,6 +157,12 @@ static int parse_sine(parser *p, size_t length, int quarters) {
 
 static int make_pi(parser *p) { return algsurf_i_parse_monomial(p, algsurf_i_monomial_pi(), p->at); }
 
+/* The value of a name, at place, that is read. */
+static int parse_constant(parser *p, const algsurf_constant *constant, size_t place) {
+    if (algsurf_i_is_defined(p, constant)) return algsurf_i_parse_defined(p, constant, place);
+    return algsurf_i_parse_double(p, constant->value, 0);
+}
+
 /* The next factor of the product that a name is. */
 static int parse_letters(parser *p) {
     const algsurf_constant *constant;
@@ -171,10 +170,18 @@ static int parse_letters(parser *p) {
     size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
     p->letter += letters;
     p->at += letter[letters].at - letter->at;
-    if (constant) return algsurf_i_parse_double(p, constant->value, 0);
+    if (constant) return parse_constant(p, constant, p->at - (letter[letters].at - letter->at));
     char variable = algsurf_i_variable(letter->code);
     if (!variable) return make_pi(p);
     return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'));
+}
+
+static int parse_series(parser *p, const algsurf_i_series_head *head) {
+    size_t offset = p->at;
+    p->at += head->width;
+    p->token = (algsurf_i_token){head->bracket, 0, 0};
+    return algsurf_i_parse_nested(p, offset, algsurf_i_parse_inside) &&
+           algsurf_i_parse_series(p, head, offset);
 }
 
 static int parse_name(parser *p) {
@@ -187,12 +194,18 @@ static int parse_name(parser *p) {
     constant = algsurf_i_names_whole(names);
     if (constant) {
         p->at += length;
-        return algsurf_i_parse_double(p, constant->value, 0);
+        return parse_constant(p, constant, p->at - length);
     }
-    int function = algsurf_i_listed("sin cos sqrt", name, length);
-    if (function == 1 || function == 2) return parse_sine(p, length, function - 1);
+    int function = algsurf_i_listed("sin cos sqrt Sin Cos Sqrt", name, length);
+    if (function % 3) return parse_sine(p, length, function % 3 - 1);
     if (function) return p->at += length, parse_root_of(p, parse_bracket);
+    algsurf_i_series_head head;
+    if (algsurf_i_series_follows(name, &head)) return parse_series(p, &head);
     for (size_t i = 0, letters; i < names->count; i += letters) {
+        if (algsurf_i_series_follows(name + names->letter[i].at, &head)) {
+            length = names->letter[i].at;
+            break;
+        }
         letters = algsurf_i_names_factor(names, i, &constant);
         if (letters == 0) return algsurf_i_refuse_name(p, length, names->letter[i].at);
     }
@@ -209,11 +222,11 @@ static int parse_primary(parser *p) {
     case ALGSURF_I_TOKEN_LETTER:
         return parse_name(p);
     case ALGSURF_I_TOKEN_ROOT:
-        return nested(p, p->at, parse_root_sign);
+        return algsurf_i_parse_nested(p, p->at, parse_root_sign);
     case ALGSURF_I_TOKEN_SQRT:
         return parse_latex_sqrt(p);
     case ALGSURF_I_TOKEN_FRACTION:
-        return nested(p, p->at, parse_fraction);
+        return algsurf_i_parse_nested(p, p->at, parse_fraction);
     case ALGSURF_I_TOKEN_SINE:
     case ALGSURF_I_TOKEN_COSINE:
         return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE);
@@ -224,7 +237,7 @@ static int parse_primary(parser *p) {
         take(p);
         return algsurf_i_parse_double(p, 0.25 * p->token.digit, 0);
     default:
-        return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
+        return algsurf_i_parse_refuse_here(p, "expected a number, x, y, z, a constant, sqrt or '('");
     }
 }
 
@@ -234,7 +247,8 @@ static int parse_exponent(parser *p) {
     take(p);
     (void)peek(p);
     size_t exponent_offset = p->at;
-    return nested(p, offset, parse_signed) && algsurf_i_parse_power(p, offset, exponent_offset);
+    return algsurf_i_parse_nested(p, offset, parse_signed) &&
+           algsurf_i_parse_power(p, offset, exponent_offset);
 }
 
 /* Superscripts in a row, and the base raised to them. */
@@ -249,10 +263,22 @@ static int parse_superscripts(parser *p) {
     return algsurf_i_parse_raise(p, offset, offset, n);
 }
 
+/* An exponent of HTML, and the base raised to it. */
+static int parse_raised(parser *p) {
+    take(p);
+    size_t offset = p->at;
+    if (!algsurf_i_parse_nested(p, offset, algsurf_i_parse_sum)) return 0;
+    if (peek(p) != ALGSURF_I_TOKEN_LOWERED)
+        return algsurf_i_parse_refuse_here(p, "expected an operator or </sup>");
+    take(p);
+    return algsurf_i_parse_power(p, offset, offset);
+}
+
 static int parse_power(parser *p) {
     if (!parse_primary(p)) return 0;
     int c = peek(p);
     if (c == '^') return parse_exponent(p);
+    if (c == ALGSURF_I_TOKEN_RAISED) return parse_raised(p);
     return c == ALGSURF_I_TOKEN_SUPERSCRIPT ? parse_superscripts(p) : 1;
 }
 
@@ -278,7 +304,7 @@ static int parse_product(parser *p) {
     return 0;
 }
 
-static int parse_sum(parser *p) {
+int algsurf_i_parse_sum(parser *p) {
     algsurf_i_value_sum sum = {.way = NULL};
     algsurf_status status = ALGSURF_OK;
     for (int sign = '+'; parse_product(p); take(p)) {
@@ -294,71 +320,4 @@ static int parse_sum(parser *p) {
     (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, &none);
     algsurf_i_value_free(&none);
     return 0;
-}
-
-/* Takes the signs that close the equation, where some opened it. */
-static void take_closing(parser *p) {
-    (void)peek(p);
-    if (!p->closing || strncmp(p->text + p->at, p->closing, strlen(p->closing)) != 0) return;
-    p->at += strlen(p->closing);
-    p->closing = NULL;
-}
-
-/* The end of the text, after a whole equation. */
-static int parse_end(parser *p, int equals_seen) {
-    take_closing(p);
-    if (!p->closing && peek(p) == ';') {
-        take(p);
-        if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "nothing may follow ';'");
-    }
-    int c = peek(p);
-    if (c == '=') return algsurf_i_parse_refuse(p, p->at, "a second '='");
-    if (p->closing) return refuse_token(p, "expected an operator or the sign that closes the equation");
-    if (c == '\0') return 1;
-    return refuse_token(p, equals_seen ? "expected an operator or the end"
-                                       : "expected an operator, '=' or the end");
-}
-
-/* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
-static int take_signs(parser *p, const char *signs) {
-    size_t start = p->at;
-    for (; *signs; signs++, take(p)) {
-        int c = peek(p);
-        if (c == ALGSURF_I_TOKEN_LETTER) c = algsurf_i_variable(p->text[p->at]);
-        if (c == *signs) continue;
-        p->at = start;
-        return 0;
-    }
-    return 1;
-}
-
-/* The start of the text: signs about the whole, and P(x,y,z) = as a name of what is zero.  *named becomes
- * whether that is there. */
-static int parse_head(parser *p, int *named) {
-    (void)peek(p);
-    const algsurf_i_quotes *quotes = algsurf_i_quotes_at(p->text + p->at);
-    if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
-    (void)peek(p);
-    size_t start = p->at;
-    p->at += algsurf_i_name_length(p->text + start);
-    *named = p->at > start && take_signs(p, "(x,y,z)=");
-    if (*named) return 1;
-    int of_two = p->at > start && take_signs(p, "(x,y)=");
-    p->at = start;
-    return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
-}
-
-int algsurf_i_parse_equation(parser *p) {
-    int named;
-    if (!parse_head(p, &named)) return 0;
-    int equals = !named && peek(p) == '=';
-    if (equals) take(p);
-    if (!parse_sum(p)) return 0;
-    if (!equals && peek(p) == '=') {
-        size_t offset = p->at;
-        equals = 1;
-        take(p);
-        if (!parse_sum(p) || !algsurf_i_parse_subtract(p, offset)) return 0;
-    }
-    return parse_end(p, equals);
 }

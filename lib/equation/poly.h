@@ -108,6 +108,9 @@ algsurf_status algsurf_i_value_multiply(algsurf_i_value *left, algsurf_i_value *
 algsurf_status algsurf_i_value_divide(algsurf_i_value *v, const algsurf_i_monomial *b);
 algsurf_status algsurf_i_value_raise(algsurf_i_value *v, int n);
 
+/* *v becomes the sum of c[i] v^i, 0 <= i <= n; the c are constants, zero or not. */
+algsurf_status algsurf_i_value_compose(algsurf_i_value *v, const algsurf_i_monomial *c, int n);
+
 /* A sum of many values, all 0 at first. */
 typedef struct algsurf_i_value_sum {
     algsurf_i_sum plain;       /* of values without a way */

@@ -64,7 +64,7 @@ static const struct {
     int kind;
 } commands[] = {
     {"left right big Big bigl bigr Bigl Bigr", FENCE},
-    {", ; : ! quad qquad", BLANK},
+    {", ; : ! quad qquad displaystyle", BLANK},
     {"cdot times ast", '*'},
     {"div", '/'},
     {"{", '{'},
@@ -203,6 +203,20 @@ static algsurf_i_token command_at(const char *text) {
     return token;
 }
 
+/* '<', or the beginning of a tag of HTML. */
+static algsurf_i_token tag_at(const char *text) {
+    static const struct {
+        const char *tag;
+        int kind;
+    } tags[] = {{"<sup>", ALGSURF_I_TOKEN_RAISED},
+                {"</sup>", ALGSURF_I_TOKEN_LOWERED},
+                {"<sub>", ALGSURF_I_TOKEN_SUBSCRIPT}};
+    for (size_t t = 0; t < sizeof tags / sizeof *tags; t++)
+        if (strncmp(text, tags[t].tag, strlen(tags[t].tag)) == 0)
+            return (algsurf_i_token){tags[t].kind, 0, strlen(tags[t].tag)};
+    return (algsurf_i_token){ALGSURF_I_TOKEN_INEQUALITY, 0, 1};
+}
+
 algsurf_i_token algsurf_i_token_at(const char *text) {
     char c = text[0];
     algsurf_i_letter letter = algsurf_i_letter_at(text);
@@ -212,7 +226,10 @@ algsurf_i_token algsurf_i_token_at(const char *text) {
     if (c == '\0') return (algsurf_i_token){'\0', 0, 0};
     if (c == '*' && text[1] == '*') return (algsurf_i_token){'^', 0, 2};
     if (c == '=' && text[1] == '=') return (algsurf_i_token){'=', 0, 2};
-    if (c == '<' || c == '>') return (algsurf_i_token){ALGSURF_I_TOKEN_INEQUALITY, 0, 1};
+    if (c == '&' && text[1] == '=') return (algsurf_i_token){'=', 0, 2}; /* as columns of LaTeX have it */
+    if (c == '.' && text[1] && strchr("*/^", text[1])) return (algsurf_i_token){text[1], 0, 2};
+    if (c == '<') return tag_at(text);
+    if (c == '>') return (algsurf_i_token){ALGSURF_I_TOKEN_INEQUALITY, 0, 1};
     if ((c >= '\t' && c <= '\r') || c == '~') c = BLANK;
     return (algsurf_i_token){c, 0, 1};
 }
@@ -235,7 +252,21 @@ char algsurf_i_closing(int token) {
 }
 
 const algsurf_i_quotes *algsurf_i_quotes_at(const char *text) {
-    static const algsurf_i_quotes quotes[] = {{"$$", "$$"}, {"$", "$"}, {"\\(", "\\)"}, {"\\[", "\\]"}};
+    static const algsurf_i_quotes quotes[] = {
+        {"$$", "$$"},
+        {"$", "$"},
+        {"\\(", "\\)"},
+        {"\\[", "\\]"},
+        {"\\begin{equation}", "\\end{equation}"},
+        {"\\begin{equation*}", "\\end{equation*}"},
+        {"\\begin{align}", "\\end{align}"},
+        {"\\begin{align*}", "\\end{align*}"},
+        {"\\begin{displaymath}", "\\end{displaymath}"},
+        {"\\begin{math}", "\\end{math}"},
+        {"function {", "}"}, /* POV-Ray */
+        {"function{", "}"},
+        {"function(x,y,z) {", "}"},
+    };
     for (size_t q = 0; q < sizeof quotes / sizeof *quotes; q++)
         if (strncmp(text, quotes[q].open, strlen(quotes[q].open)) == 0) return &quotes[q];
     return NULL;

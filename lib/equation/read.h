@@ -13,6 +13,8 @@ enum {
     ALGSURF_I_TOKEN_SUBSCRIPT,         /* one digit of an index, or a letter */
     ALGSURF_I_TOKEN_QUARTERS,          /* 1, 2 or 3 of them as one sign */
     ALGSURF_I_TOKEN_INEQUALITY,
+    ALGSURF_I_TOKEN_RAISED, /* <sup> and </sup>: an exponent stands between them */
+    ALGSURF_I_TOKEN_LOWERED,
     ALGSURF_I_TOKEN_ROOT,     /* a root sign; from here on: what begins a factor, with brackets and numbers */
     ALGSURF_I_TOKEN_PI,       /* the letter */
     ALGSURF_I_TOKEN_LETTER,   /* of a name */
@@ -31,7 +33,8 @@ typedef struct algsurf_i_token {
 } algsurf_i_token;
 
 /* The token the text starts with.  Signs that mean the same are the same: '^' for two asterisks, '=' for two
- * equality signs, '*' for a raised dot, a cross or \cdot, '-' for a minus sign. */
+ * equality signs or one behind '&', '*' for a raised dot, a cross or \cdot, '-' for a minus sign; those of
+ * MATLAB that apply to each element, behind a point, for those without. */
 algsurf_i_token algsurf_i_token_at(const char *text);
 
 /* How many bytes of blanks the text starts with, those of typesetters among them. */
@@ -43,7 +46,7 @@ int algsurf_i_number_follows(const char *text);
 /* The bracket that closes what the token opens: ) ] }; 0 for all other tokens. */
 char algsurf_i_closing(int token);
 
-/* The signs about an equation, such as $ and $; null when the text starts with none. */
+/* What stands about an equation, such as $ and $; null when the text starts with none. */
 typedef struct algsurf_i_quotes {
     const char *open, *close;
 } algsurf_i_quotes;
@@ -106,11 +109,15 @@ typedef struct algsurf_i_names {
     struct algsurf_i_name_node *node;
     algsurf_i_name_letter *letter; /* and one behind the last, for its place */
     size_t count, capacity;        /* of letters */
+    size_t nodes;
 } algsurf_i_names;
 
-/* Fails with E_ARGUMENT when two names are the same, or with E_NO_MEMORY; to be freed anyway.  The names are
- * checked.  Cost: linear in the lengths of the names. */
-algsurf_status algsurf_i_names_make(algsurf_i_names *names, const algsurf_constant *constants, size_t count);
+/* Makes room for names of so many bytes together, takes them one by one, and makes them ready for use.  Each
+ * fails with E_NO_MEMORY, adding a name that is there already with E_ARGUMENT; to be freed anyway.  The names
+ * are checked; one may go on in its text behind its end.  Cost: linear in the lengths of the names. */
+algsurf_status algsurf_i_names_make(algsurf_i_names *names, size_t bytes);
+algsurf_status algsurf_i_names_add(algsurf_i_names *names, const algsurf_constant *constant);
+void algsurf_i_names_link(algsurf_i_names *names);
 void algsurf_i_names_free(algsurf_i_names *names);
 
 /* Reads the name at the start of text.  Cost: linear in its length. */

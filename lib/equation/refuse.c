@@ -16,11 +16,16 @@ int algsurf_i_parse_refuse(parser *p, size_t offset, const char *message) {
     return algsurf_i_parse_fail(p, ALGSURF_E_SYNTAX, offset, message);
 }
 
-/* Functions that people know and that are no polynomials; words that join equations, or say more about one.
+/* Functions that people know and that are no polynomials, and those of Mathematica; words
+ * that join equations, or say more about one.
  */
 static const char FUNCTIONS[] =
     "sin cos tan cot sec csc asin acos atan sinh cosh tanh exp log ln abs sgn sign min max "
     "mod floor ceil cbrt";
+static const char OTHERS[] = "arcsin arccos arctan Tan Cot Sec Csc ArcSin ArcCos ArcTan Sinh Cosh Tanh Exp "
+                             "Log Abs Sign Min Max Mod Floor Ceiling";
+static const char POVRAY[] =
+    "isosurface object union merge difference intersection polynomial texture pigment";
 static const char JOINING[] = "and or where with for if AND OR";
 
 /* ---- names ---- */
@@ -55,7 +60,7 @@ static part part_without_value(const char *name, size_t length, size_t known) {
 
 /* Is the bracket at the start of text one around arguments?  Behind a single letter, that takes a comma. */
 static int is_call(const char *text, size_t letters) {
-    if (*text != '(') return 0;
+    if (*text != '(' && *text != '[') return 0;
     if (letters > 1) return 1;
     for (text++; *text == ' ';) text++;
     if (!algsurf_i_variable(*text)) return 0;
@@ -69,7 +74,9 @@ static const char *meaning(const char *name, size_t length, size_t known, const 
     const char *end = name + length;
     *from = 0;
     if (algsurf_i_listed(JOINING, name, length)) return "one equation at a time";
-    if (algsurf_i_listed(FUNCTIONS, name, length) ||
+    if (algsurf_i_listed(POVRAY, name, length))
+        return "of POV-Ray, function { }, poly, quadric, cubic or quartic alone: nothing about it";
+    if (algsurf_i_listed(FUNCTIONS, name, length) || algsurf_i_listed(OTHERS, name, length) ||
         algsurf_i_listed(FUNCTIONS, name + without->begin, without->end - without->begin))
         return ALGSURF_I_NOT_POLYNOMIAL;
     if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return "expected '(' behind sqrt";
@@ -80,10 +87,11 @@ static const char *meaning(const char *name, size_t length, size_t known, const 
     if (end[-1] == '_' && *end == '{') return "an index takes no brackets: write a_1 for a_{1}";
     if (known > 0 && is_digit(name[known]))
         return "a number behind a letter: write x^2 for a power, 2x or x*2 for a product";
-    if (!without->letters) return is_call(end, 1) ? NO_FUNCTION : NULL;
+    if (!without->letters) return is_call(end, *end == '[' ? 2 : 1) ? NO_FUNCTION : NULL;
     *from = without->begin;
     if (without->end != length) return NULL;
-    if (algsurf_i_listed("pow", name + without->begin, length - without->begin) && *end == '(')
+    if (algsurf_i_listed("pow Power", name + without->begin, length - without->begin) &&
+        (*end == '(' || *end == '['))
         return "no function here: write x^2 for a power";
     if (is_call(end, algsurf_i_name_parts(name + without->begin, length - without->begin)))
         return NO_FUNCTION;
@@ -113,16 +121,29 @@ static const struct {
     {'!', "not a polynomial: a factorial"},
     {ALGSURF_I_TOKEN_INEQUALITY, "expected '=': a surface is where both sides are equal"},
     {ALGSURF_I_TOKEN_SUPERSCRIPT, "an exponent with nothing before it to raise"},
+    {ALGSURF_I_TOKEN_RAISED, "an exponent with nothing before it to raise"},
     {ALGSURF_I_TOKEN_SUBSCRIPT, INDEX},
     {ALGSURF_I_TOKEN_QUARTERS, A_NUMBER},
+    {'&', "one equation at a time, without '&'"},
+    {'#', "one equation at a time, without '#'"},
     {ALGSURF_I_TOKEN_COMMAND, "this command of LaTeX is not understood"},
 };
+
+/* Is the comma at that place one between digits of a number?  (1,2,3) is a point. */
+static int is_decimal(const char *text, size_t at, int depth) {
+    size_t digits = 0;
+    while (is_digit(text[at + 1 + digits])) digits++;
+    if (digits == 0 || depth == 0) return digits > 0;
+    return at > 0 && is_digit(text[at - 1]) && text[at + 1 + digits] != ',';
+}
 
 static const char *about_token(const parser *p, const char *expected) {
     const char *text = p->text + p->at;
     int c = p->token.kind;
-    if (c == ',' && (p->depth > 0 || is_digit(text[1]))) return "a decimal point is written '.'";
-    if (c == ',') return "one equation at a time";
+    if (c == ',' && is_decimal(p->text, p->at, p->depth)) return "a decimal point is written '.'";
+    if (c == ',')
+        return p->depth > 0 ? "no points or vectors: write an equation in x, y and z"
+                            : "one equation at a time";
     if ((c == ')' || c == ']' || c == '}') && p->depth == 0)
         return "a closing bracket without an opening one";
     if (c == ALGSURF_I_TOKEN_COMMAND && algsurf_i_listed(FUNCTIONS, text + 1, p->token.width - 1))

@@ -58,14 +58,36 @@ static algsurf_status check_constants(const algsurf_constant *constants, size_t 
     return ALGSURF_OK;
 }
 
+/* The names of the constants and those that the text defines. */
+static algsurf_status make_names(algsurf_i_parser *p, const algsurf_constant *constants, size_t count) {
+    size_t bytes = 0;
+    for (size_t c = 0; c < count; c++) bytes += strlen(constants[c].name);
+    algsurf_status status = algsurf_i_definitions_find(p);
+    for (size_t d = 0; d < p->definitions; d++) bytes += algsurf_i_name_length(p->defined[d].name);
+    if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, bytes);
+    for (size_t c = 0; status == ALGSURF_OK && c < count; c++)
+        status = algsurf_i_names_add(&p->names, &constants[c]);
+    for (size_t d = 0; status == ALGSURF_OK && d < p->definitions; d++) {
+        const char *name = p->defined[d].name;
+        status = algsurf_i_names_add(&p->names, &p->defined[d]);
+        if (status != ALGSURF_E_ARGUMENT) continue;
+        (void)algsurf_i_parse_refuse(p, (size_t)(name - p->text), "this name has a value already");
+        status = ALGSURF_E_SYNTAX;
+    }
+    if (status == ALGSURF_OK) algsurf_i_names_link(&p->names);
+    return status;
+}
+
 static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
                                             size_t count, algsurf_surface **surface) {
     algsurf_status status = check_constants(constants, count);
-    if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, constants, count);
+    if (status == ALGSURF_OK) status = make_names(p, constants, count);
     if (status == ALGSURF_OK && !algsurf_i_parse_equation(p)) status = p->status;
     if (status == ALGSURF_OK) status = to_surface(&p->value[0].p, p->at, surface, &p->error);
     while (p->values > 0) algsurf_i_value_free(&p->value[--p->values]);
     algsurf_i_names_free(&p->names);
+    free(p->defined);
+    free(p->definition);
     return status;
 }
 

@@ -2,24 +2,27 @@
  *
  * The weight of a value is the number of terms that a polynomial is multiplied by, one after the other, when
  * it is multiplied by the value as it was made: of a polynomial its terms, of a sum or a product the sum of
- * the weights, of a power the weight of its base times the exponent.  It is at most the number of constants
- * and variables in the text times the exponents about each; these are at most 64 together, since a base that
- * is constant has one term, and weight 1.  A way is kept only while it is lighter than the terms, and where
- * it matters: equations as people write them are multiplied term by term.
+ * the weights, of a power the weight of its base times the exponent, of a series that and as many more.  It
+ * is at most twice the number of constants and variables in the text times the exponents about each; these
+ * are at most 64 together, since a base that is constant has one term, and weight 1.  A way is kept only
+ * while it is lighter than the terms, and where it matters: equations as people write them are multiplied
+ * term by term.
  */
 #include "../base/arithmetic.h"
 #include "poly.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { FEW_TERMS = 32 }; /* not worth a way */
 
 typedef algsurf_i_value value;
 
-/* The sum of the parts, or their product raised to the power; then times a monomial. */
+/* The sum of the parts, their product raised to the power, or a series in the only part; then times a
+ * monomial. */
 typedef struct algsurf_i_way {
     int is_sum, power;
-    algsurf_i_monomial scale;
+    algsurf_i_monomial scale, *series; /* coefficients up to the power; null: no series */
     size_t weight, count, capacity;
     value *part;        /* those with a way have no polynomial */
     algsurf_i_sum made; /* of parts with a way, as long as there may be more */
@@ -29,7 +32,7 @@ static size_t weight_of(const value *v) { return v->way ? v->way->weight : v->p.
 
 static void way_free(way *w) {
     for (size_t i = 0; w && i < w->count; i++) algsurf_i_value_free(&w->part[i]);
-    if (w) free(w->part);
+    if (w) free(w->part), free(w->series);
     free(w);
 }
 
@@ -83,12 +86,35 @@ static algsurf_status times(const algsurf_i_tripoly *a, const value *v, algsurf_
     return v->way ? by_way(v->way, a, out) : algsurf_i_tripoly_multiply(a, &v->p, out);
 }
 
+/* By Horner's rule. */
+static algsurf_status by_series(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out) {
+    algsurf_i_tripoly last = {NULL, 0};
+    algsurf_status status = ALGSURF_OK;
+    for (int i = w->power; status == ALGSURF_OK && i >= 0; i--) {
+        algsurf_i_tripoly next = {NULL, 0}, term = {NULL, 0}, c = {&w->series[i], w->series[i].v.hi != 0};
+        if (last.count > 0) status = times(&last, &w->part[0], &next);
+        algsurf_i_tripoly_free(&last);
+        if (status == ALGSURF_OK) status = algsurf_i_tripoly_multiply(a, &c, &term);
+        if (status == ALGSURF_OK && next.count > 0) status = algsurf_i_tripoly_add(&next, &term, &last);
+        if (status == ALGSURF_OK && next.count == 0) last = term, term = (algsurf_i_tripoly){NULL, 0};
+        algsurf_i_tripoly_free(&next);
+        algsurf_i_tripoly_free(&term);
+    }
+    if (status == ALGSURF_OK) *out = last;
+    return status;
+}
+
 static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out) {
     algsurf_i_monomial scale = w->scale;
     algsurf_i_tripoly by = {&scale, 1}, last, next;
     algsurf_i_sum sum = {.parts = 0};
     algsurf_status status = algsurf_i_tripoly_multiply(a, &by, &last);
     if (status != ALGSURF_OK) return status;
+    if (w->series) {
+        status = by_series(w, &last, out);
+        algsurf_i_tripoly_free(&last);
+        return status;
+    }
     for (size_t i = 0; status == ALGSURF_OK && i < w->count * (size_t)w->power; i++) {
         status = times(&last, &w->part[i % w->count], &next);
         if (status != ALGSURF_OK) break;
@@ -114,7 +140,7 @@ static void take_scale(value *product, value *of, const algsurf_i_monomial *by) 
 
 /* Takes both factors into the way of the product. */
 static algsurf_status take_factors(value *product, value *left, value *right) {
-    if (left->way && !left->way->is_sum && left->way->power == 1) {
+    if (left->way && !left->way->is_sum && !left->way->series && left->way->power == 1) {
         product->way = left->way;
         left->way = NULL;
     } else {
@@ -166,6 +192,23 @@ algsurf_status algsurf_i_value_raise(value *v, int n) {
     weigh(&power);
     algsurf_i_value_free(v);
     *v = power;
+    return status;
+}
+
+algsurf_status algsurf_i_value_compose(value *v, const algsurf_i_monomial *c, int n) {
+    value composed = {{NULL, 0}, NULL};
+    algsurf_i_monomial factor = one;
+    algsurf_i_tripoly unit = {&factor, 1};
+    size_t bytes = ((size_t)n + 1) * sizeof *c;
+    algsurf_status status = remember(&composed.way, 0, v, n);
+    if (status == ALGSURF_OK && !(composed.way->series = malloc(bytes))) status = ALGSURF_E_NO_MEMORY;
+    if (status == ALGSURF_OK) {
+        memcpy(composed.way->series, c, bytes);
+        composed.way->weight += (size_t)n + 1;
+        status = by_way(composed.way, &unit, &composed.p);
+    }
+    weigh(&composed);
+    *v = composed;
     return status;
 }
 

@@ -1,5 +1,5 @@
-/* equation.c - fuzzes algsurf_surface_from_equation: "EQUATION ; NAME=VALUE ; NAME=VALUE", or ";;" for the
- * first ';' where the equation is to have one at its end.
+/* equation.c - fuzzes algsurf_surface_from_equation: "EQUATION ; NAME=VALUE ; NAME=VALUE", with ";;" for each
+ * ';' that the equation has.
  *
  * What is accepted is evaluated again, straight from the text and in rational numbers, at points of small
  * coordinates, and must agree with the surface's terms: up to the rounding of each coefficient to a double,
@@ -9,15 +9,24 @@
 #include "exact.h"
 #include "fuzz.h"
 
-enum { MOST_CONSTANTS = 4, MOST_BITS = 20000 };
+enum { MOST_CONSTANTS = 4, MOST_DEFINITIONS = 8, MOST_BITS = 20000 };
 
 /* A number, and the sum of magnitudes of all that was added up to get it. */
 typedef struct value {
     mpq_t v, size;
 } value;
 
+/* A name that the text gives to a value. */
+typedef struct definition {
+    const char *name;
+    size_t length;
+    value value;
+} definition;
+
 typedef struct reader {
     const char *at, *letters_end;
+    definition defined[MOST_DEFINITIONS];
+    int definitions;
     const algsurf_constant *constants;
     size_t count;
     const mpq_t *point;
@@ -43,24 +52,28 @@ static void limit(reader *r, value *a) {
 
 /* What a sign beyond ASCII may be, or a command of LaTeX; ASCII but for letters is itself. */
 enum { OTHER, ROOT, PI, SUPERSCRIPT, LETTER, SQRT, FRACTION, SINE, COSINE };
+enum { RAISED = 14, LOWERED, QUARTER, HALF, QUARTERS };
 
 /* Signs that mean the same are read as the same, written from the documentation in surface.h. */
 static const struct {
     const char *text;
     char as;
-} signs[] = {{"**", '^'},           {"==", '='},      {"\u00b7", '*'},      {"\u00d7", '*'},
-             {"\u22c5", '*'},       {"\u2217", '*'},  {"\u2062", '*'},      {"\u2212", '-'},
-             {"\u2013", '-'},       {"\u00f7", '/'},  {"\u2215", '/'},      {"\u2044", '/'},
-             {"\u221a", ROOT},      {"\u03c0", PI},   {"\\cdot", '*'},      {"\\times", '*'},
-             {"\\ast", '*'},        {"\\div", '/'},   {"\\{", '{'},         {"\\}", '}'},
-             {"\\pi", PI},          {"\\sqrt", SQRT}, {"\\frac", FRACTION}, {"\\dfrac", FRACTION},
-             {"\\tfrac", FRACTION}, {"\\sin", SINE},  {"\\cos", COSINE}};
+} signs[] = {{"**", '^'},           {"==", '='},         {"\u00b7", '*'},      {"\u00d7", '*'},
+             {"\u22c5", '*'},       {"\u2217", '*'},     {"\u2062", '*'},      {"\u2212", '-'},
+             {"\u2013", '-'},       {"\u00f7", '/'},     {"\u2215", '/'},      {"\u2044", '/'},
+             {"\u221a", ROOT},      {"\u03c0", PI},      {"\\cdot", '*'},      {"\\times", '*'},
+             {"\\ast", '*'},        {"\\div", '/'},      {"\\{", '{'},         {"\\}", '}'},
+             {"\\pi", PI},          {"\\sqrt", SQRT},    {"\\frac", FRACTION}, {"\\dfrac", FRACTION},
+             {"\\tfrac", FRACTION}, {"\\sin", SINE},     {"\\cos", COSINE},    {".^", '^'},
+             {".*", '*'},           {"./", '/'},         {"&=", '='},          {"<sup>", RAISED},
+             {"</sup>", LOWERED},   {"\u00bc", QUARTER}, {"\u00bd", HALF},     {"\u00be", QUARTERS}};
 static const char *const superscripts[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 static const char *const blanks[] = {
-    "\u00a0", "\u2002",  "\u2003", "\u2004",  "\u2005", "\u2006", "\u2007", "\u2008", "\u2009", "\u200a",
-    "\u200b", "\u202f",  "\u205f", "\ufeff",  "~",      "\\,",    "\\;",    "\\:",    "\\!",    "\\ ",
-    "\\quad", "\\qquad", "\\left", "\\right", "\\bigl", "\\bigr", "\\Bigl", "\\Bigr", "\\big",  "\\Big"};
+    "\u00a0", "\u2002", "\u2003", "\u2004",  "\u2005",         "\u2006", "\u2007",  "\u2008", "\u2009",
+    "\u200a", "\u200b", "\u202f", "\u205f",  "\ufeff",         "~",      "\\,",     "\\;",    "\\:",
+    "\\!",    "\\ ",    "\\quad", "\\qquad", "\\displaystyle", "\\left", "\\right", "\\bigl", "\\bigr",
+    "\\Bigl", "\\Bigr", "\\big",  "\\Big"};
 /* Greek letters that names have: two or three spellings of the same. */
 static const char *const greek[][3] = {
     {"\u03b1", "\\alpha"},    {"\u03b2", "\\beta"},   {"\u03b3", "\\gamma"},   {"\u03b4", "\\delta"},
@@ -180,7 +193,7 @@ static void number(reader *r, value *a) {
     }
     long e = exponent_at(r, hexadecimal ? 'p' : 'e'), over = hexadecimal ? 4 * places - e : places - e;
     mpq_set_z(a->v, digits);
-    if (labs(over) > 4000) {
+    if (labs(over) > 380) { /* smaller numbers may be zero */
         give_up(r, a);
     } else {
         mpz_ui_pow_ui(digits, hexadecimal ? 2 : 10, (unsigned long)labs(over));
@@ -254,6 +267,15 @@ static int is_same_name(const char *a, const char *b, size_t length) {
 }
 
 static int constant_named(reader *r, const char *name, size_t length, value *a) {
+    for (int d = 0; d < r->definitions; d++) {
+        const definition *by = &r->defined[d];
+        char own[64];
+        if (by->length >= sizeof own) continue;
+        snprintf(own, sizeof own, "%.*s", (int)by->length, by->name);
+        if (!is_same_name(own, name, length)) continue;
+        mpq_set(a->v, by->value.v), mpq_set(a->size, by->value.size);
+        return 1;
+    }
     for (size_t i = 0; i < r->count; i++) {
         if (!is_same_name(r->constants[i].name, name, length)) continue;
         exact_set(a->v, r->constants[i].value), mpq_abs(a->size, a->v);
@@ -270,9 +292,116 @@ static void pi(value *a) {
     mpq_set(a->size, a->v);
 }
 
+static int is_digits(const char *text, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        if (!is_digit(text[i])) return 0;
+    return n > 0;
+}
+
+/* Is T_n( or another name with its index and bracket at r->at?  Then *kind is 0, 1, 2 for T, U, P. */
+static const char *series_at(reader *r, int *kind, int *n) {
+    static const char *const words[] = {"ChebyshevT", "ChebyshevU", "LegendreP",
+                                        "chebyshevT", "chebyshevU", "legendreP"};
+    const char *start = r->at, *at = start + 1, *letter = strchr("TUP", *start);
+    char index[64] = "";
+    size_t digits = 0, length = name_length(start);
+    *kind = letter && *start ? (int)(letter - "TUP") : -1;
+    for (int w = 0; w < 6; w++)
+        if (length == strlen(words[w]) && starts(start, words[w])) *kind = w % 3, at = start + length;
+    int word = at > start + 1;
+    if (*kind < 0) return NULL;
+    if (!word && *at == '_') {
+        int braced = at[1] == '{';
+        at += 1 + braced;
+        while (is_digit(at[digits])) digits++;
+        snprintf(index, sizeof index, "%.*s", (int)digits, at);
+        at += digits;
+        if (braced && *at++ != '}') return NULL;
+    } else if (!word) {
+        for (; at[0] == '\xe2' && at[1] == '\x82' && (at[2] & 0xff) >= 0x80 && (at[2] & 0xff) < 0x8a; at += 3)
+            if (digits < 9) index[digits++] = (char)((at[2] & 0xff) - 0x80 + '0');
+    }
+    r->at = at;
+    char c = peek(r);
+    if (c == '(' || c == '[') r->at++;
+    if (word && peek(r)) {
+        while (is_digit(r->at[digits])) digits++;
+        snprintf(index, sizeof index, "%.*s", (int)digits, r->at);
+        r->at += digits;
+        if (peek(r) != ',') digits = 0;
+        r->at++;
+    }
+    at = r->at, r->at = start;
+    *n = atoi(index);
+    return (c == '(' || c == '[') && is_digits(index, strlen(index)) ? at : NULL;
+}
+
+static void times(reader *r, value *a, const value *b);
+
+/* The k-th coefficient of the polynomial of a kind and degree n, by its recurrence:
+ * (m+1) P_{m+1} = (2m+1) x P_m - m P_{m-1}, and T and U with 1, 2, 1. */
+static void series_coefficients(int kind, int n, mpq_t c[65]) {
+    mpq_t older[65], next, part;
+    mpq_inits(next, part, NULL);
+    for (int i = 0; i <= 64; i++) mpq_init(older[i]);
+    mpq_set_ui(c[0], 1, 1);
+    for (int m = 0; m < n; m++) {
+        unsigned long by = kind == 2 ? 2 * (unsigned long)m + 1 : m == 0 && kind == 0 ? 1 : 2;
+        unsigned long less = kind == 2 ? (unsigned long)m : m > 0,
+                      over = kind == 2 ? (unsigned long)m + 1 : 1;
+        for (int i = n; i >= 0; i--) {
+            mpq_set_ui(part, by, over);
+            mpq_canonicalize(part);
+            mpq_set_ui(next, 0, 1);
+            if (i > 0) mpq_mul(next, c[i - 1], part);
+            mpq_set_ui(part, less, over);
+            mpq_canonicalize(part);
+            mpq_mul(part, part, older[i]);
+            mpq_sub(next, next, part);
+            mpq_set(older[i], c[i]);
+            mpq_set(c[i], next);
+        }
+    }
+    for (int i = 0; i <= 64; i++) mpq_clear(older[i]);
+    mpq_clears(next, part, NULL);
+}
+
+static void series(reader *r, const char *inside, int kind, int n, value *a) {
+    char close = inside[0];
+    for (const char *c = inside - 1; close != ')' && close != ']'; c--)
+        close = *c == '(' ? ')' : *c == '[' ? ']' : close;
+    value x;
+    mpq_t c[65];
+    value_init(&x);
+    r->at = inside;
+    sum(r, &x);
+    fuzz_check(r->given_up || (peek(r) == close && n <= 64));
+    take(r);
+    for (int i = 0; i <= 64; i++) mpq_init(c[i]);
+    if (!r->given_up) series_coefficients(kind, n, c);
+    mpq_set_ui(a->v, 0, 1), mpq_set_ui(a->size, 0, 1);
+    for (int i = n; i >= 0 && !r->given_up; i--) {
+        times(r, a, &x);
+        mpq_add(a->v, a->v, c[i]);
+        mpq_abs(c[i], c[i]);
+        mpq_add(a->size, a->size, c[i]);
+    }
+    if (r->given_up) give_up(r, a);
+    for (int i = 0; i <= 64; i++) mpq_clear(c[i]);
+    value_clear(&x);
+}
+
+static void name(reader *r, value *a);
+
 /* A part of a product written as one name: a variable, the longest constant, pi. */
 static void factor(reader *r, value *a) {
     const char *start = r->at;
+    int kind, index;
+    if (series_at(r, &kind, &index)) {
+        r->letters_end = start;
+        name(r, a);
+        return;
+    }
     char variable = *start >= 'a' ? *start : (char)(*start + 32);
     if (variable >= 'x' && is_latin(*start)) {
         r->at++;
@@ -291,10 +420,11 @@ static void factor(reader *r, value *a) {
     pi(a);
 }
 
-/* The sine or cosine of the bracket that follows. */
+static void primary(reader *r, value *a);
+
+/* The sine or cosine of what follows. */
 static void sine_of(reader *r, int is_cosine, value *a) {
-    (void)peek(r);
-    parenthesis(r, a);
+    primary(r, a);
     if (!r->given_up) sine(a, is_cosine);
     limit(r, a);
 }
@@ -305,15 +435,22 @@ static void name(reader *r, value *a) {
         size_t length = name_length(start);
         r->at += length;
         if (constant_named(r, start, length, a)) return;
-        if (length == 4 && strncmp(start, "sqrt", 4) == 0) {
+        if (length == 4 && (starts(start, "sqrt") || starts(start, "Sqrt"))) {
             (void)peek(r);
             parenthesis(r, a);
             if (!r->given_up) square_root(r, a);
             return;
         }
-        int is_sine = length == 3 && strncmp(start, "sin", 3) == 0;
-        if (is_sine || (length == 3 && strncmp(start, "cos", 3) == 0)) {
+        int is_sine = length == 3 && (starts(start, "sin") || starts(start, "Sin"));
+        if (is_sine || (length == 3 && (starts(start, "cos") || starts(start, "Cos")))) {
             sine_of(r, !is_sine, a);
+            return;
+        }
+        r->at = start;
+        int kind, n;
+        const char *inside = series_at(r, &kind, &n);
+        if (inside) {
+            series(r, inside, kind, n, a);
             return;
         }
         r->letters_end = start + length;
@@ -368,12 +505,16 @@ static void primary(reader *r, value *a) {
     } else if (c == PI) {
         take(r);
         pi(a);
+    } else if (c >= QUARTER && c <= QUARTERS) {
+        take(r);
+        mpq_set_ui(a->v, (unsigned long)(c - QUARTER + 1), 4), mpq_canonicalize(a->v), mpq_set(a->size, a->v);
     } else {
         parenthesis(r, a);
     }
 }
 
 static void times(reader *r, value *a, const value *b) {
+    if (r->given_up) return;
     mpq_mul(a->v, a->v, b->v), mpq_mul(a->size, a->size, b->size);
     limit(r, a);
 }
@@ -399,8 +540,13 @@ static int exponent(reader *r) {
             n = n <= 64 ? 10 * n + d : n;
         return n;
     }
+    int raised = peek(r) == RAISED;
     take(r);
-    value_init(&e), with_sign(r, &e);
+    value_init(&e);
+    if (raised)
+        sum(r, &e), take(r);
+    else
+        with_sign(r, &e);
     n = (int)lround(mpq_get_d(e.v));
     value_clear(&e);
     return n;
@@ -408,7 +554,7 @@ static int exponent(reader *r) {
 
 static void power(reader *r, value *a) {
     primary(r, a);
-    if (r->given_up || (peek(r) != '^' && peek(r) != SUPERSCRIPT)) return;
+    if (r->given_up || (peek(r) != '^' && peek(r) != SUPERSCRIPT && peek(r) != RAISED)) return;
     value one;
     value_init(&one);
     int n = exponent(r);
@@ -478,23 +624,121 @@ static int head(reader *r) {
     return r->at > start;
 }
 
+/* NAME = SUM ; with more behind.  Returns whether that is there. */
+static int define(reader *r) {
+    const char *start = (peek(r), r->at), *end = start, *c;
+    size_t length = name_length(start), width;
+    int others = 0;
+    for (size_t i = 0; i < length; i += width) others |= !strchr("xyzXYZ", part_at(start + i, &width) & 0xff);
+    r->at = start + length;
+    for (; *end && *end != ';'; end++) end += *end == '\\' && end[1];
+    reader behind = *r;
+    behind.at = end + (*end != '\0');
+    if (!length || !others || peek(r) != '=' || !*end || peek(&behind) == '\0' ||
+        (length == 4 && starts(start, "sqrt"))) {
+        r->at = start;
+        return 0;
+    }
+    take(r);
+    value v;
+    value_init(&v);
+    sum(r, &v);
+    fuzz_check(r->given_up || (c = (peek(r), r->at), *c == ';'));
+    r->at++;
+    if (r->given_up || r->definitions == MOST_DEFINITIONS) {
+        r->given_up = 1;
+        value_clear(&v);
+    } else {
+        r->defined[r->definitions++] = (definition){start, length, v};
+    }
+    return !r->given_up;
+}
+
+/* A polynomial of POV-Ray: poly and others, from its name on. */
+static int povray(reader *r, value *a) {
+    static const char *const solids[] = {"poly", "quadric", "cubic", "quartic"};
+    static const int quadric[10][3] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1},
+                                       {0, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+    const char *start = (peek(r), r->at);
+    size_t length = name_length(start);
+    int kind = -1, order = 0, count = 0;
+    for (int s = 0; s < 4; s++)
+        if (length == strlen(solids[s]) && starts(start, solids[s])) kind = s;
+    r->at += length;
+    if (kind < 0 || peek(r) != '{') return r->at = start, 0;
+    r->at++;
+    value c, power;
+    value_init(&c), value_init(&power);
+    if (kind == 0) order = (peek(r), (int)strtol(r->at, (char **)(uintptr_t)&r->at, 10));
+    if (kind > 1) order = kind == 2 ? 3 : 4;
+    mpq_set_ui(a->v, 0, 1), mpq_set_ui(a->size, 0, 1);
+    for (int i = order; i >= 0 && !r->given_up; i--)
+        for (int j = order - i; j >= 0 && !r->given_up; j--)
+            for (int k = order - i - j; k >= 0 && !r->given_up; k--)
+                for (int last = kind == 1 ? 10 : 1; last > 0 && !r->given_up; last--, count++) {
+                    const int of[3] = {i, j, k}, *e = kind == 1 ? quadric[count] : of;
+                    while (peek(r) == ',' || *r->at == '<' || *r->at == '>') r->at++;
+                    sum(r, &c);
+                    for (int axis = 0; axis < 3; axis++)
+                        for (int n = 0; n < e[axis]; n++) {
+                            mpq_set(power.v, r->point[axis]), mpq_abs(power.size, power.v);
+                            times(r, &c, &power);
+                        }
+                    mpq_add(a->v, a->v, c.v), mpq_add(a->size, a->size, c.size);
+                }
+    while (peek(r) == ',' || *r->at == '<' || *r->at == '>') r->at++;
+    if (starts(r->at, "sturm")) r->at += 5;
+    fuzz_check(r->given_up || peek(r) == '}');
+    take(r);
+    value_clear(&c), value_clear(&power);
+    if (r->given_up) give_up(r, a);
+    return 1;
+}
+
+/* A full stop or a comma behind an equation. */
+static void stop(reader *r) {
+    char c = peek(r);
+    if (c == '.' || c == ',') r->at++;
+}
+
 static void equation(reader *r, value *a) {
-    static const char *const pairs[][2] = {{"$$", "$$"}, {"$", "$"}, {"\\(", "\\)"}, {"\\[", "\\]"}};
+    static const char *const pairs[][2] = {{"$$", "$$"},
+                                           {"$", "$"},
+                                           {"\\(", "\\)"},
+                                           {"\\[", "\\]"},
+                                           {"\\begin{equation}", "\\end{equation}"},
+                                           {"\\begin{equation*}", "\\end{equation*}"},
+                                           {"\\begin{align}", "\\end{align}"},
+                                           {"\\begin{align*}", "\\end{align*}"},
+                                           {"\\begin{displaymath}", "\\end{displaymath}"},
+                                           {"\\begin{math}", "\\end{math}"},
+                                           {"function {", "}"},
+                                           {"function{", "}"},
+                                           {"function(x,y,z) {", "}"}};
+    enum { PAIRS = sizeof pairs / sizeof *pairs };
     const char *close = NULL;
     value b;
     value_init(&b);
     (void)peek(r);
-    for (int pair = 0; pair < 4 && !close; pair++)
+    for (int pair = 0; pair < PAIRS && !close; pair++)
         if (starts(r->at, pairs[pair][0])) r->at += strlen(pairs[pair][0]), close = pairs[pair][1];
-    if (!head(r) && peek(r) == '=') take(r);
-    sum(r, a);
-    if (!r->given_up && peek(r) == '=') {
-        take(r), sum(r, &b);
-        mpq_sub(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
+    while (define(r)) {
     }
+    if (r->given_up) {
+        give_up(r, a);
+    } else if (!povray(r, a)) {
+        if (!head(r) && peek(r) == '=') take(r);
+        sum(r, a);
+        if (!r->given_up && peek(r) == '=') {
+            take(r), sum(r, &b);
+            mpq_sub(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
+        }
+    }
+    stop(r);
     (void)peek(r);
     fuzz_check(r->given_up || !close || starts(r->at, close));
     if (close && !r->given_up) r->at += strlen(close);
+    stop(r);
     if (!r->given_up && peek(r) == ';') take(r);
     fuzz_check(r->given_up || peek(r) == '\0');
     value_clear(&b);
@@ -519,7 +763,7 @@ static void add_terms(const algsurf_term *terms, size_t count, const mpq_t point
 
 static void check_value(const char *text, const algsurf_constant *constants, size_t count,
                         const algsurf_term *terms, size_t term_count, const mpq_t point[3]) {
-    reader r = {text, text, constants, count, point, 0};
+    reader r = {.at = text, .letters_end = text, .constants = constants, .count = count, .point = point};
     value a;
     mpq_t v, slack;
     value_init(&a), mpq_inits(v, slack, NULL);
@@ -533,6 +777,7 @@ static void check_value(const char *text, const algsurf_constant *constants, siz
         if (mpq_cmp(a.v, slack) > 0) exact_print("difference", a.v), exact_print("allowed", slack);
         fuzz_check(mpq_cmp(a.v, slack) <= 0);
     }
+    for (int d = 0; d < r.definitions; d++) value_clear(&r.defined[d].value);
     value_clear(&a), mpq_clears(v, slack, NULL);
 }
 
@@ -575,11 +820,16 @@ static void check_refusal(algsurf_status status, const char *text, const algsurf
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    char *text = fuzz_string(data, size), *rest = strchr(text, ';');
+    char *text = fuzz_string(data, size), *rest = text;
     algsurf_constant constants[MOST_CONSTANTS];
     size_t count = 0;
-    while (rest && rest > text && rest[-1] == '\\') rest = strchr(rest + 1, ';'); /* a blank of LaTeX */
-    if (rest && rest[1] == ';') rest++;
+    for (; *rest && (*rest != ';' || rest[1] == ';'); rest++) {
+        if (*rest == '\\' && rest[1])
+            rest++; /* a blank of LaTeX */
+        else if (*rest == ';')
+            memmove(rest, rest + 1, strlen(rest));
+    }
+    if (!*rest) rest = NULL;
     while (rest && count < MOST_CONSTANTS) {
         *rest++ = '\0';
         rest += strspn(rest, " \n");

@@ -1,0 +1,114 @@
+/* define.c - names that a text defines, w = y^2 + z^2; see parse.h.
+ *
+ * What a name stands for is read once where it is defined, so that what is wrong is told there, and once more
+ * in each place that the name is used, as if it stood there in brackets.  So all that is promised about
+ * coefficients and about time holds for the text with the definitions put in.  As names in definitions would
+ * make that grow as a power, what is put in is limited.
+ *
+ * Names are found before anything is read, since they tell which letters of the text belong together.
+ */
+#include "../base/arithmetic.h"
+#include "parse.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef algsurf_i_parser parser;
+
+/* The place of the next ';', which is not a blank of LaTeX; or of the end. */
+static size_t statement_end(const char *text, size_t at) {
+    for (; text[at] && text[at] != ';'; at++)
+        if (text[at] == '\\' && text[at + 1]) at++;
+    return at;
+}
+
+/* Is the name one that can be defined?  Products of coordinates are none. */
+static int is_definable(const char *name, size_t length) {
+    if (algsurf_i_listed("sqrt", name, length)) return 0;
+    for (size_t at = 0; at < length;) {
+        algsurf_i_letter part = algsurf_i_name_part_at(name + at);
+        if (!algsurf_i_variable(part.code)) return 1;
+        at += part.width;
+    }
+    return 0;
+}
+
+/* Is a definition there, NAME = ..., ended by a ';' with more behind?  Then *found and *name become it. */
+static int definition_at(const char *text, size_t at, algsurf_i_definition *found, const char **name) {
+    at += algsurf_i_blanks(text + at);
+    size_t length = algsurf_i_name_length(text + at), sign = at + length;
+    sign += algsurf_i_blanks(text + sign);
+    algsurf_i_token token = algsurf_i_token_at(text + sign);
+    if (token.kind != '=' || !is_definable(text + at, length)) return 0;
+    *name = text + at;
+    *found = (algsurf_i_definition){sign + token.width, statement_end(text, sign)};
+    if (text[found->end] == '\0') return 0;
+    return text[found->end + 1 + algsurf_i_blanks(text + found->end + 1)] != '\0';
+}
+
+static int grow(parser *p, size_t *capacity) {
+    if (p->definitions < *capacity) return 1;
+    *capacity = 2 * *capacity + 4;
+    algsurf_constant *defined = realloc(p->defined, *capacity * sizeof *defined);
+    if (defined) p->defined = defined;
+    algsurf_i_definition *definition = realloc(p->definition, *capacity * sizeof *definition);
+    if (definition) p->definition = definition;
+    return defined && definition;
+}
+
+/* Moves behind the sign that opens the equation, if one is there and none was. */
+static void take_open(parser *p) {
+    (void)algsurf_i_parse_peek(p);
+    const algsurf_i_quotes *quotes = p->closing ? NULL : algsurf_i_quotes_at(p->text + p->at);
+    if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
+}
+
+algsurf_status algsurf_i_definitions_find(parser *p) {
+    size_t capacity = 0;
+    algsurf_i_definition found;
+    const char *name;
+    for (take_open(p); definition_at(p->text, p->at, &found, &name); take_open(p)) {
+        p->at = found.end + 1;
+        if (!grow(p, &capacity)) return ALGSURF_E_NO_MEMORY;
+        p->definition[p->definitions] = found;
+        p->defined[p->definitions++] = (algsurf_constant){name, 0};
+    }
+    return ALGSURF_OK;
+}
+
+int algsurf_i_parse_definitions(parser *p) {
+    size_t equation = p->at;
+    for (; p->known < p->definitions; p->known++) {
+        p->at = p->definition[p->known].begin;
+        if (!algsurf_i_parse_sum(p)) return 0;
+        if (algsurf_i_parse_peek(p) != ';')
+            return algsurf_i_parse_refuse_here(p, "expected an operator or ';'");
+        algsurf_i_value_free(algsurf_i_parse_top(p));
+        p->values--;
+    }
+    p->at = equation;
+    return 1;
+}
+
+int algsurf_i_parse_defined(parser *p, const algsurf_constant *name, size_t place) {
+    const algsurf_i_definition *definition = &p->definition[name - p->defined];
+    if (name >= p->defined + p->known)
+        return algsurf_i_parse_refuse(p, place, "this name is used before it is defined");
+    p->put_in += definition->end - definition->begin;
+    if (p->put_in > ALGSURF_I_PUT_IN_LIMIT)
+        return algsurf_i_parse_refuse(p, place, "definitions put in make more than 20000 characters");
+    algsurf_i_names kept = p->names; /* the letters of the name are still to be read */
+    size_t at = p->at, letter = p->letter, letters_end = p->letters_end;
+    p->names.letter = NULL;
+    p->names.count = p->names.capacity = 0;
+    p->letters_end = 0;
+    p->at = definition->begin;
+    int ok = algsurf_i_parse_nested(p, place, algsurf_i_parse_sum);
+    free(p->names.letter);
+    p->names = kept;
+    p->at = at;
+    p->letter = letter;
+    p->letters_end = letters_end;
+    if (!ok && p->error.message) p->error = (algsurf_parse_error){place, 0, p->error.message};
+    return ok;
+}
