@@ -124,6 +124,26 @@ static int take_parameter(reader *r, const char *name, const char *value) {
     return 0;
 }
 
+/* light_WHAT_N, N from 0 to 7; other keys that begin so are skipped. */
+static int take_light(reader *r, const char *key, const char *value) {
+    const char *number = strrchr(key, '_') + 1;
+    size_t length = (size_t)(number - key);
+    if (number[0] < '0' || number[0] >= '0' + JSURF_LIGHTS || number[1]) return 0;
+    jsurf_light *light = &r->to->lights[number[0] - '0'];
+    if (strncmp(key, "light_status_", length) == 0) {
+        light->on = strcmp(value, "ON") == 0;
+        return light->on || strcmp(value, "OFF") == 0 ? 0 : bad_value(r, key, "ON or OFF", value);
+    }
+    if (strncmp(key, "light_color_", length) == 0) return take_colour(r, key, value, &light->colour);
+    if (strncmp(key, "light_intensity_", length) == 0)
+        return take_number(r, key, value, 0, 100, &light->intensity);
+    if (strncmp(key, "light_position_", length) != 0) return 0;
+    light->placed = read_numbers(value, 3, light->place);
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(light->place[i]) <= 1e6)) light->placed = 0;
+    return light->placed ? 0 : bad_value(r, key, "three numbers up to 1e6", value);
+}
+
 static int take_property(reader *r, const char *key, const char *value) {
     static const char parameter[] = "surface_parameter_";
     jsurf_file *to = r->to;
@@ -141,6 +161,7 @@ static int take_property(reader *r, const char *key, const char *value) {
     if (strcmp(key, "front_material_color") == 0) return take_colour(r, key, value, &to->front);
     if (strcmp(key, "back_material_color") == 0) return take_colour(r, key, value, &to->inside);
     if (strcmp(key, "background_color") == 0) return take_colour(r, key, value, &to->background);
+    if (strncmp(key, "light_", strlen("light_")) == 0) return take_light(r, key, value);
     return 0;
 }
 
@@ -323,6 +344,8 @@ static int read_lines(reader *r, FILE *file) {
 
 int jsurf_read(FILE *file, jsurf_file *read, jsurf_error *error) {
     jsurf_file to = {.fov = 60, .height = 2};
+    for (int i = 0; i < JSURF_LIGHTS; i++)
+        to.lights[i] = (jsurf_light){.intensity = 1, .colour = {.srgb = {255, 255, 255}, .given = 1}};
     reader r = {.to = &to,
                 .error = error,
                 .transform = identity,

@@ -34,6 +34,7 @@ void render_set_lights(const cli_option *option, const char *value, void *field)
     render_look *look = field;
     (void)value;
     look->paper = cli_choice(option, value);
+    look->usual = !look->paper;
 }
 
 void render_look_follow(render_look *look, const jsurf_file *file) {
@@ -42,12 +43,24 @@ void render_look_follow(render_look *look, const jsurf_file *file) {
         if (!look->inside.given) look->inside = file->inside;
     }
     if (!look->background.given && !look->transparent) look->background = file->background;
+    if (look->light != LIGHT_DEFAULT || look->paper || look->usual) return;
+    for (int i = 0; i < JSURF_LIGHTS; i++)
+        if (file->lights[i].on && file->lights[i].placed)
+            look->file_lights[look->file_light_count++] = file->lights[i];
+    if (look->file_light_count > 0) look->light = LIGHT_FILE;
 }
 
 void render_paint(const render_look *look, algsurf_material *material) {
     const css_colour *outside = &look->outside, *inside = look->inside.given ? &look->inside : outside;
     if (outside->given) colour_of(outside, material->outside);
     if (inside->given) colour_of(inside, material->inside);
+}
+
+static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
+
+/* Of a ball that holds it. */
+static double radius_of(const algsurf_extent *extent) {
+    return extent->kind == ALGSURF_EXTENT_SPHERE ? extent->size[0] : length(extent->size);
 }
 
 /* The lights of Sanjuan-Estrada, Casado and Garcia, as far as their pictures tell: two squares of 5 x 5
@@ -76,6 +89,25 @@ static void set_paper_lights(const algsurf_camera *camera, const algsurf_lightin
     }
 }
 
+/* The lights of a file of SURFER, points; they go with the camera. */
+static algsurf_status set_file_lights(const render_look *look, const algsurf_camera *camera,
+                                      const algsurf_extent *extent, algsurf_scene *scene) {
+    algsurf_light lights[JSURF_LIGHTS];
+    for (int l = 0; l < look->file_light_count; l++) {
+        const jsurf_light *from = &look->file_lights[l];
+        lights[l] = (algsurf_light){.samples_u = 1, .samples_v = 1};
+        colour_of(&from->colour, lights[l].colour);
+        for (int i = 0; i < 3; i++) {
+            lights[l].colour[i] *= from->intensity;
+            lights[l].position[i] =
+                extent->centre[i] +
+                radius_of(extent) * (from->place[0] * camera->right[i] + from->place[1] * camera->up[i] -
+                                     from->place[2] * camera->forward[i]);
+        }
+    }
+    return algsurf_scene_set_lights(scene, lights, (size_t)look->file_light_count);
+}
+
 /* Where the light is, and one it would be asked for once more is the same: angles go with the camera. */
 static void find_light(const render_look *look, const algsurf_camera *camera, const algsurf_extent *extent,
                        double position[3]) {
@@ -84,17 +116,13 @@ static void find_light(const render_look *look, const algsurf_camera *camera, co
         return;
     }
     double right = look->place[0] * PI / 180, above = look->place[1] * PI / 180;
-    double radius = extent->kind == ALGSURF_EXTENT_SPHERE
-                        ? extent->size[0]
-                        : hypot(hypot(extent->size[0], extent->size[1]), extent->size[2]);
+    double radius = radius_of(extent);
     for (int i = 0; i < 3; i++)
         position[i] = extent->centre[i] +
                       DISTANCE * radius *
                           (cos(above) * (sin(right) * camera->right[i] - cos(right) * camera->forward[i]) +
                            sin(above) * camera->up[i]);
 }
-
-static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
 
 /* Two edges across the way from the light to the centre of what is shown. */
 static void spread(algsurf_light *light, const double centre[3], const double up[3]) {
@@ -134,6 +162,7 @@ algsurf_status render_light_scene(const render_look *look, const algsurf_camera 
         set_paper_lights(camera, &usual, lights);
         return algsurf_scene_set_lights(scene, lights, 2);
     }
+    if (look->light == LIGHT_FILE) return set_file_lights(look, camera, extent, scene);
     algsurf_light light = {.colour = {1, 1, 1}};
     find_light(look, camera, extent, light.position);
     spread(&light, extent->centre, camera->up);

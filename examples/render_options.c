@@ -131,7 +131,8 @@ static const cli_option options_table[] = {
      render_set_light, FIELD(look)},
     {"--lights", "usual|paper",
      "usual (default): one wide light.  paper: two square lights of 5x5 points, as in\n"
-     "the pictures of Sanjuan-Estrada, Casado and Garcia",
+     "the pictures of Sanjuan-Estrada, Casado and Garcia.  A file of SURFER has lights\n"
+     "of its own; --lights usual leaves them out",
      render_set_lights, FIELD(look)},
     {"--quality", "preview|standard|full",
      "preview: shading by direction alone, as if the camera were the lamp.\n"
@@ -359,8 +360,8 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.antialias_threshold < 0) options.antialias_threshold = VIEW_THRESHOLD;
     if (options.look.light != LIGHT_DEFAULT && options.look.paper)
         cli_fail(CLI_BAD_INPUT, "--light: has no effect with --lights paper");
-    if ((options.look.light != LIGHT_DEFAULT || options.look.paper) &&
-        options.quality == ALGSURF_QUALITY_PREVIEW)
+    int asked = options.look.light == LIGHT_POINT || options.look.light == LIGHT_ANGLES;
+    if ((asked || options.look.paper) && options.quality == ALGSURF_QUALITY_PREVIEW)
         cli_fail(CLI_BAD_INPUT, "%s: has no effect in preview quality",
                  options.look.paper ? "--lights" : "--light");
     if (options.thin == THIN_ASKED && options.intersect.method != ALGSURF_METHOD_DEFAULT)

@@ -80,6 +80,12 @@ static uint64_t add_look(uint64_t digest, const render_look *look) {
         for (int k = 0; k < 3; k++) digest = add_byte(digest, colours[i]->srgb[k]);
     }
     digest = add_byte(add_byte(digest, (uint8_t)look->light), (uint8_t)look->paper);
+    for (int l = 0; l < look->file_light_count; l++) {
+        const jsurf_light *light = &look->file_lights[l];
+        digest = add_numbers(digest, light->place, 3);
+        digest = add_numbers(digest, &light->intensity, 1);
+        for (int k = 0; k < 3; k++) digest = add_byte(digest, light->colour.srgb[k]);
+    }
     return add_numbers(digest, look->place, 3);
 }
 

@@ -50,6 +50,29 @@ TEST(test_lines) {
     equation_of("key=\nother\nsurface_equation=x", "x");
 }
 
+/* Catches: a light that is off, or numbered 8, or lit by another's line. */
+TEST(test_lights) {
+    jsurf_file read = reads("surface_equation=x\nlight_status_0=ON\nlight_position_0=-100.0 100.0 99\n"
+                            "light_intensity_0=0.5\nlight_color_0=1.0 0.5 0.0\nlight_status_1=OFF\n"
+                            "light_position_7=1 2 3\nlight_status_7=ON\nlight_status_8=ON\nlight_status_=?\n"
+                            "light_type_0=POINT\nlight_status_2=ON\nlight_color_17=x\n");
+    const jsurf_light *light = read.lights;
+    assert_true(light[0].on && light[0].placed && !light[1].on && light[2].on && !light[2].placed);
+    assert_true(light[7].on && light[7].placed && light[7].intensity == 1 && light[7].colour.srgb[2] == 255);
+    near(light[0].place[2], 99), near(light[7].place[1], 2), near(light[0].intensity, 0.5);
+    assert_int_equal(light[0].colour.srgb[1], 128);
+    jsurf_release(&read);
+    static const char *const bad[] = {"light_status_0=on", "light_intensity_0=-1", "light_position_1=1 2",
+                                      "light_position_1=1 2 1e7", "light_color_0=red"};
+    for (size_t c = 0; c < sizeof bad / sizeof *bad; c++) {
+        char text[128];
+        jsurf_error error;
+        sprintf(text, "surface_equation=x\n%s\n", bad[c]);
+        if (read_text(text, &read, &error) == 0) fail_msg("%s", bad[c]);
+        assert_int_equal(error.line, 2);
+    }
+}
+
 TEST(test_values) {
     jsurf_file read =
         reads("#a comment\n"
@@ -59,7 +82,7 @@ TEST(test_values) {
               "rotation_matrix=0.0 0.0 1.0 0.0 1.0 0.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 0.0 0.0 1.0\n"
               "camera_type=PERSPECTIVE_CAMERA\ncamera_fov_y=45.0\n"
               "front_material_color=1.0 0.5 0.0\nback_material_color=0 0 1\n"
-              "background_color=0.2 0.2 1.5\nlight_color_0=nonsense\n");
+              "background_color=0.2 0.2 1.5\nlight_kind_0=nonsense\n");
     assert_int_equal(read.parameter_count, 2);
     assert_string_equal(read.parameters[0].name, "b");
     assert_string_equal(read.parameters[0].value, "-0.25");
