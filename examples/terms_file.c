@@ -9,8 +9,11 @@
 
 #include "cli.h"
 
+enum { MOST_BYTES = 1 << 24 }; /* a surface of the highest degree has 48000 terms, a line each */
+
 typedef struct reader {
     cli_line line;
+    size_t bytes;
     algsurf_term *terms;
     size_t count, capacity;
     terms_error *error;
@@ -88,6 +91,8 @@ static int read_terms(reader *r, FILE *file) {
         if (got == CLI_LINE_TOO_LONG) return refuse(r, r->line.number + 1, "the line is too long");
         if (ferror(file)) return refuse(r, 0, "%s", strerror(errno));
         if (got == CLI_LINE_END) return r->count > 0 ? 0 : refuse(r, 0, "no terms");
+        r->bytes += r->line.length + 1;
+        if (r->bytes > MOST_BYTES) return refuse(r, 0, "more than 16 MiB: no file of terms is that long");
         if (take_line(r) != 0) return -1;
     }
 }

@@ -289,6 +289,29 @@ TEST(any_planes) {
     algsurf_surface_free(surface);
 }
 
+/* One row may be as far from the next as any object goes, two only half as far.  Catches: a border one off,
+ * or of all rows of the picture. */
+TEST(far_strides) {
+    enum { WHERE = H / 2 };
+    static uint8_t bytes[2 * 3 * W], whole[H * 3 * W];
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
+    algsurf_render_options o = options_for(1);
+    algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .format = ALGSURF_RGB8};
+    draw_pixels(scene, ALGSURF_RGB8, whole);
+    o.row_begin = WHERE;
+    for (int rows = 1; rows <= 2; rows++) {
+        o.row_end = WHERE + rows;
+        planes.stride = (size_t)PTRDIFF_MAX / (size_t)rows + 1;
+        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_E_ARGUMENT);
+    }
+    o.row_end = WHERE + 1;
+    planes.stride = (size_t)PTRDIFF_MAX;
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
+    assert_memory_equal(bytes, whole + WHERE * 3 * W, 3 * W);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
 /* Rows of any distance, and without a gap. */
 TEST(strides) {
     enum { GAP = 7 };

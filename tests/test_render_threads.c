@@ -131,6 +131,8 @@ TEST(bad_planes) {
     REFUSE(bad.stride = 1);
     REFUSE(bad.stride = 3 * W - 1);
     REFUSE((bad.stride = 4 * W - 1, bad.format = ALGSURF_RGBA8));
+    REFUSE(bad.stride = SIZE_MAX);
+    REFUSE(bad.stride = (size_t)PTRDIFF_MAX / H + 1);
     REFUSE(bad.format = -1);
     REFUSE(bad.format = ALGSURF_RGBA8 + 1);
 #undef REFUSE

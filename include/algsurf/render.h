@@ -235,7 +235,8 @@ typedef enum algsurf_way {
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* sRGB bytes of the average of the samples' colours (algsurf_srgb_encode) */
-    size_t stride;         /* bytes from one row of pixels to the next, at least those of a row; 0: these */
+    size_t stride;         /* bytes from one row of pixels to the next, at least those of a row, at most
+                              PTRDIFF_MAX / the number of rows drawn; 0: those of a row */
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  The error of t is at most

@@ -2,6 +2,7 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "srgb.h"
@@ -21,15 +22,17 @@ static algsurf_status read_options(const algsurf_render_options *given, algsurf_
     return good ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-/* The planes of a picture of that width. */
-static algsurf_status read_planes(const algsurf_picture *given, int width, algsurf_i_picture *picture) {
+/* The planes of a picture of that width, of which so many rows are drawn. */
+static algsurf_status read_planes(const algsurf_picture *given, int width, int rows,
+                                  algsurf_i_picture *picture) {
     algsurf_picture *planes = &picture->planes;
     algsurf_status status = algsurf_options_read(planes, sizeof *planes, given);
     if (status != ALGSURF_OK || !planes->pixels) return status;
     if (planes->format != ALGSURF_RGB8 && planes->format != ALGSURF_RGBA8) return ALGSURF_E_ARGUMENT;
     size_t row = (size_t)algsurf_i_channels(planes) * (size_t)width;
     if (planes->stride == 0) planes->stride = row;
-    return planes->stride >= row ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+    size_t most = (size_t)PTRDIFF_MAX / (size_t)rows;
+    return planes->stride >= row && planes->stride <= most ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
 /* The rays through the picture's corners are finite, hence all rays between them. */
@@ -124,7 +127,7 @@ static algsurf_status render(const algsurf_scene *scene, const algsurf_render_op
     if (!scene) return ALGSURF_E_ARGUMENT;
     if (stats && !algsurf_options_fit(stats, sizeof *stats)) return ALGSURF_E_SIZE;
     algsurf_status status = read_options(options, &o);
-    if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
+    if (status == ALGSURF_OK) status = read_planes(planes, o.width, o.row_end - o.row_begin, &picture);
     if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);
     if (status == ALGSURF_OK) status = draw(&picture, &o, &total);
     if (status == ALGSURF_OK && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
