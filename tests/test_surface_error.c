@@ -107,6 +107,42 @@ TEST(rays) {
     if (certain * 2 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
 }
 
+/* High powers along rays from afar: bounds about the ray's origin, and not the place, decide nothing.
+ * Catches: places that are not looked at again, or from a point beside the ray; radii rounded down there. */
+TEST(high_powers) {
+    static const char *const high[] = {"10z^12 - 3", "x^10 + y^10 + z^10 - 0.7", "(x+y)^8 z^4 + x^9 - 0.3y"};
+    static const double errors[] = {1e-3, 1e-9, 0x1p-53};
+    uint64_t seed = SEED;
+    int certain = 0, judged = 0;
+    for (size_t e = 0; e < sizeof high / sizeof *high; e++) {
+        intersect_equation(&c, high[e]);
+        for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
+            algsurf_surface *s = with_error(errors[k]);
+            for (int i = 0; i < 25; i++, judged += 2 * MEMBERS) {
+                random_ray(&seed);
+                judge(s, &seed, errors[k], &certain);
+            }
+            algsurf_surface_free(s);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (certain * 3 < judged * 2) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.95, 0, 0}};
+    const algsurf_ray down = {{0, 0, 5}, {0, 0, -1}, 0, INFINITY};
+    algsurf_hit hits[2];
+    int count;
+    intersect_equation(&c, "z^30 - 0.3");
+    algsurf_surface *s = with_error(0x1p-53);
+    assert_ok(algsurf_intersect_all(s, &ball, &down, NULL, hits, 2, &count));
+    assert_int_equal(count, 2);
+    for (int i = 0; i < count; i++) {
+        double z = (i ? -1 : 1) * pow(0.3, 1.0 / 30), width = hits[i].t_hi - hits[i].t_lo;
+        assert_true(hits[i].state == ALGSURF_STATE_HIT && width < 1e-14 && fabs(5 - hits[i].t - z) < 1e-14);
+    }
+    algsurf_surface_free(s);
+    algsurf_surface_free(c.surface);
+}
+
 /* Roots far out, and far beyond the largest double: all of them count on a ray without an end. */
 TEST(far_roots) {
     static const double errors[] = {1e-2, 1e-5, 1e-9};

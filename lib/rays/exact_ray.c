@@ -9,15 +9,19 @@
  * Coefficients with an error.  The polynomials along the ray of all surfaces within it are one with radii: a
  * coefficient a is known to error |a|.  Along X + u D, in integers, p_k is then known to the coefficient of
  * u^k of the form of the terms error |a|, along |X| + u |D|: all of its summands are the magnitudes of those
- * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  What lies
- * within the rounding of the chord's ends is undecided: it may be inside the region or not.  An end that is
- * infinite has no rounding: roots beyond the largest double count like all others. */
+ * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  These
+ * bounds are good about X alone: farther along the ray they are as if no coordinate changed its sign, and no
+ * terms cancelled.  So each place is looked at again from a point in it, a few times, as long as it gets
+ * narrower: p moves there exactly, and the coordinates there, |X + u D|, are rounded up.  What lies within
+ * the rounding of the chord's ends is undecided: it may be inside the region or not.  An end that is infinite
+ * has no rounding: roots beyond the largest double count like all others. */
 #include "../base/arithmetic.h"
 #include "exact_ray.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/fpenv.h"
 #include "../base/vec.h"
@@ -26,7 +30,9 @@
 #include "../surface/exact_form.h"
 #include "faces.h"
 
-enum { STACK_WORDS = 2048 };
+enum { STACK_WORDS = 2048, MOST_LOOKS = 3 };
+static const double NARROW = 0x1p-40;  /* parts of t: no place is looked at again that is narrower */
+static const double NARROWER = 0x1p-3; /* times its width: what is found must be, or nothing is gained */
 
 typedef struct query {
     const algsurf_surface *surface;
@@ -195,20 +201,45 @@ static int scaled(algsurf_memory *m, const algsurf_zpoly *p, int up, algsurf_zpo
     return 1;
 }
 
-/* p and its radii in one unit. */
-static int make_forms(query *q, algsurf_term *spread, algsurf_zpoly *p, algsurf_zpoly *radius) {
+/* *p becomes p(c + v) 2^up, c = base / 2^unit = +-numerator 2^-down, up = down deg p. */
+static int move(algsurf_memory *m, algsurf_zpoly *p, algsurf_limb numerator, int minus, int down) {
+    int n = p->degree, w = algsurf_z_width(algsurf_zpoly_bits(p) + n * (down + 64 + 1) + 1);
+    algsurf_zpoly a;
+    if (!algsurf_zpoly_new(m, n, w, &a)) return 0;
+    for (int k = 0; k <= n; k++) {
+        algsurf_z_copy(algsurf_zpoly_at(&a, k), w, algsurf_zpoly_at(p, k), p->width);
+        algsurf_z_shift_up(algsurf_zpoly_at(&a, k), w, down * (n - k));
+    }
+    for (int i = 0; i < n; i++)
+        for (int k = n - 1; k >= i; k--)
+            algsurf_z_join_product(algsurf_zpoly_at(&a, k), w, algsurf_zpoly_at(&a, k + 1), w, numerator, 0,
+                                   minus);
+    for (int k = 0; k <= n; k++) algsurf_z_shift_up(algsurf_zpoly_at(&a, k), w, down * k);
+    *p = a;
+    return 1;
+}
+
+/* p and its radii in one unit, from the point at t = base on, which is numerator 2^(unit - down). */
+static int make_forms(query *q, algsurf_term *spread, double base, int down, algsurf_zpoly *p,
+                      algsurf_zpoly *radius) {
     algsurf_memory *m = &q->memory;
     algsurf_surface wide = *q->surface;
     double o[3], d[3];
     int scale, radius_scale;
     for (int i = 0; i < 3; i++) {
-        o[i] = fabs(q->ray->origin[i]);
+        double x = q->ray->origin[i], way = base * q->ray->direction[i];
+        o[i] = fabs(x + way);
+        if (base != 0) o[i] += 0x1p-51 * (fabs(x) + fabs(way)) + DBL_MIN;
         d[i] = fabs(q->ray->direction[i]);
     }
     wide.terms = spread;
     if (!algsurf_i_exact_form(m, q->surface, q->ray->origin, q->ray->direction, q->unit, p, &scale) ||
         !algsurf_i_exact_form(m, &wide, o, d, q->unit, radius, &radius_scale))
         return 0;
+    if (base != 0 && p->degree > 0) {
+        scale += down * p->degree;
+        if (!move(m, p, (algsurf_limb)ldexp(fabs(base), down - q->unit), base < 0, down)) return 0;
+    }
     if (p->degree < 0) scale = radius_scale;
     int common = scale > radius_scale ? scale : radius_scale;
     return scaled(m, p, common - scale, p) && scaled(m, radius, common - radius_scale, radius);
@@ -226,14 +257,70 @@ static algsurf_i_ray_root place_of(const query *q, const algsurf_exact_range *ra
     return (algsurf_i_ray_root){1, range->sign_lo, middle, lo, hi, reason};
 }
 
+/* A double in the range with few bits, base = N 2^(unit - down), N < 2^53; 0: there is none that is worth it.
+ */
+static double base_in(const query *q, const algsurf_exact_range *range, int *down) {
+    double lo = range->lo, hi = range->hi, middle = 0.5 * lo + 0.5 * hi, size = fmax(fabs(lo), fabs(hi));
+    if (!(hi - lo > NARROW * size) || size > 0x1p500 || size < 0x1p-500) return 0;
+    int least = ilogb(hi - lo) - 3;
+    double base = ldexp(rint(ldexp(middle, -least)), least);
+    *down = q->unit > least ? q->unit - least : 0;
+    return fabs(base) < ldexp(1, 53 + q->unit - *down) ? base : 0;
+}
+
+/* Looks at a range again from a point in it.  *better: what is found takes its place, *count <= room ranges.
+ * Returns 0 when there is no memory. */
+static int look_again(query *q, algsurf_term *spread, const algsurf_exact_range *range,
+                      algsurf_exact_range *found, int room, int *count, int *better) {
+    algsurf_memory_mark mark = algsurf_memory_here(&q->memory);
+    algsurf_zpoly p, radius;
+    int down;
+    double base = base_in(q, range, &down), width = 0, last = range->lo;
+    *better = 0;
+    if (base == 0) return 1;
+    int done =
+        make_forms(q, spread, base, down, &p, &radius) &&
+        algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, nextafter(range->lo - base, -HUGE_VAL),
+                                    nextafter(range->hi - base, HUGE_VAL), found, room, count, NULL);
+    algsurf_memory_release(&q->memory, mark);
+    if (!done) return 0;
+    *better = !range->sign_lo || (*count == 1 && found[0].sign_lo);
+    for (int i = 0; i < *count; i++) {
+        found[i].lo = nextafter(base + found[i].lo, -HUGE_VAL);
+        found[i].hi = nextafter(base + found[i].hi, HUGE_VAL);
+        *better &= found[i].lo >= last;
+        last = found[i].hi;
+        width += last - found[i].lo;
+    }
+    *better &= last <= range->hi && width <= NARROWER * (range->hi - range->lo);
+    return 1;
+}
+
+static int look_closer(query *q, algsurf_term *spread, algsurf_exact_range *range, int *count) {
+    algsurf_exact_range found[ALGSURF_MAX_DEGREE];
+    int better, now, gained = 1;
+    for (int look = 0; gained && look < MOST_LOOKS; look++)
+        for (int i = gained = 0; i < *count; i += better ? now : 1) {
+            int room = ALGSURF_MAX_DEGREE + 1 - *count;
+            if (!look_again(q, spread, range + i, found, room, &now, &better)) return 0;
+            if (!better) continue;
+            memmove(range + i + now, range + i + 1, (size_t)(*count - i - 1) * sizeof *range);
+            memcpy(range + i, found, (size_t)now * sizeof *range);
+            *count += now - 1;
+            gained = 1;
+        }
+    return 1;
+}
+
 static algsurf_status isolate(query *q, algsurf_term *spread) {
     const algsurf_i_watch watch = {.observer = q->wanted->observer};
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
     int found;
-    if (!make_forms(q, spread, &p, &radius) ||
+    if (!make_forms(q, spread, 0, 0, &p, &radius) ||
         !algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
-                                     ALGSURF_MAX_DEGREE, &found, q->wanted->observer ? &watch : NULL))
+                                     ALGSURF_MAX_DEGREE, &found, q->wanted->observer ? &watch : NULL) ||
+        !look_closer(q, spread, range, &found))
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {
         const algsurf_i_ray_root place = place_of(q, range + i);
