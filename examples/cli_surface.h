@@ -30,7 +30,7 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
     {"--let", "A=VALUE",                                                                                     \
      "gives a letter of the equation a value: a number, or an expression such as\n"                          \
      "(1+sqrt(5))/2, in which letters given before may occur, and x, y, z, as in\n"                          \
-     "w=y^2+z^2; repeatable, or A=1,B=2",                                                                     \
+     "w=y^2+z^2; repeatable, or A=1,B=2",                                                                    \
      cli_set_let, offsetof(type, surface), 0, 0},                                                            \
     {"--terms", "FILE", "reads the surface from a file, a line \"i j k a\" for each term a x^i y^j z^k",     \
      cli_set_text, offsetof(type, surface.terms), 0, 0},                                                     \

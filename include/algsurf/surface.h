@@ -66,16 +66,17 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
  * minus sign or dash is -, a division sign is /, superscript digits are an exponent, the signs of a quarter,
  * a half and three quarters are numbers, a root sign is sqrt of what follows it (a number, a name, a
- * bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they are constants;
- * no-break and other typographic spaces are blanks; .^ .* ./ are ^ * /; x<sup>2</sup> is x^2; Sqrt, Sin, Cos
- * are as with small letters; the text may begin with '=', or with NAME(x,y,z) =, which is skipped, and end
- * with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x,y,z) { EQUATION }, and poly { n, < > },
- * cubic { < > }, quartic { < > }, quadric { < >, < >, < >, j } with constants as coefficients, in its order.
- *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without backslash,
- * a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and \right
- * (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ \displaystyle are blanks; &= is =; a pair $ $,
- * $$ $$, \( \), \[ \], or \begin{equation} \end{equation} (align, both with *, displaymath, math) may stand
- * about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
+ * bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they are
+ * constants; no-break and other typographic spaces are blanks; .^ .* ./ are ^ * /; x<sup>2</sup> is x^2;
+ * Sqrt, Sin, Cos are as with small letters; the text may begin with '=', or with NAME(x,y,z) =, which is
+ * skipped, and end with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x,y,z) { EQUATION },
+ * and poly { n, < > }, cubic { < > }, quartic { < > }, quadric { < >, < >, < >, j } with constants as
+ * coefficients, in its order.
+ *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without
+ * backslash, a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and
+ * \right (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ \displaystyle are blanks; &= is =; a pair
+ * $ $, $$ $$, \( \), \[ \], or \begin{equation} \end{equation} (align, both with *, displaymath, math) may
+ * stand about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
  * another letter, U+03D5; the Greek pi is none.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
  * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
@@ -89,8 +90,8 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * E_DEGREE (a product or power above degree 64, even if it would cancel; error points at its operator),
  * E_RANGE (a number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
  * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most in proportion to the length of the text, with what
- * is defined put in, times the number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s; and to the length of the names
- * of the constants.  Nesting deeper than 100 is E_SYNTAX.
+ * is defined put in, times the number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s;
+ * and to the length of the names of the constants.  Nesting deeper than 100 is E_SYNTAX.
  * 96 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,
