@@ -18,7 +18,7 @@ loadTheme();
 const words = loadText(); // comes while workers start
 const usual = checkedState(SURFACES[0]).state;
 const linked = stateOfLink(location.hash, usual);
-const store = new Store({ ...(linked?.state ?? usual), picture: null });
+const store = new Store({ ...usual, picture: null }); // not the link's, until it is known to be a surface
 const notice = new Notice(at("notice"));
 
 let hasPicture = () => {};

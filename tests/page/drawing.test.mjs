@@ -1,17 +1,7 @@
 // What the plots are drawn from: Bernstein coefficients of a part, scales and their ticks, angles, numbers as text.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { after, test } from "node:test";
-import { PAGE } from "./settings.mjs";
-
-// Node takes files named .js for modules where a package says so, and the page is none.
-const folder = mkdtempSync(join(tmpdir(), "page-"));
-after(() => rmSync(folder, { recursive: true }));
-writeFileSync(join(folder, "package.json"), '{"type": "module"}');
-cpSync(PAGE, folder, { recursive: true });
-const part = (name) => import(join(folder, `${name}.js`));
+import { test } from "node:test";
+import { part } from "./modules.mjs";
 
 const { convexHull, restrict, samples } = await part("ray/bernstein");
 const { anchorOf, linear, log, ofValues, symlog } = await part("ray/axis");

@@ -1,12 +1,12 @@
 // command.js - the command line of the program render that draws a state, pixel for pixel.
-import { isInOwnColours } from "../state/state.js";
+import { isInOwnColours, printable } from "../state/state.js";
 
 const list = (numbers) => numbers.map(String).join(",");
 
-/** A word of a POSIX shell. */
+/** A word of a POSIX shell, of printable characters: a terminal acts on others before the shell does. */
 export function quoted(text) {
     if (/^[A-Za-z0-9_./:,=-]+$/.test(text)) return text;
-    return `'${text.replaceAll("'", "'\\''")}'`;
+    return `'${printable(text).replaceAll("'", "'\\''")}'`;
 }
 
 /** A name for files: of the surface, else "surface". */

@@ -3,7 +3,7 @@
 // Sources: java.util.Properties for the lines; jsurf_file.c and view.c of the programs for the keys and for
 // the view: the same file gives the same picture there and here, but for parallel projection, which is not
 // drawn here: a camera that is far away stands for it.
-import { isColour, LIMITS } from "../state/state.js";
+import { isColour, isPrintable, LIMITS } from "../state/state.js";
 
 export const LARGEST = 1 << 20; // bytes of a file
 const RADIANS = Math.PI / 180;
@@ -26,7 +26,9 @@ function logicalLines(text) {
     for (const raw of text.split(/\r\n|\r|\n/)) {
         const line = raw.replace(/^[ \t\f]+/, "");
         if (open === null && (line === "" || line[0] === "#" || line[0] === "!")) continue;
-        const goesOn = /(^|[^\\])(\\\\)*\\$/.test(line);
+        let end = line.length;
+        while (line[end - 1] === "\\") end--;
+        const goesOn = (line.length - end) % 2 === 1;
         const joined = (open ?? "") + (goesOn ? line.slice(0, -1) : line);
         if (!goesOn) lines.push(joined);
         open = goesOn ? joined : null;
@@ -35,19 +37,24 @@ function logicalLines(text) {
 }
 
 function unescaped(text) {
-    return text.replace(/\\(u[0-9a-fA-F]{4}|.)/g, (whole, code) => {
+    return text.replace(/\\(u[0-9a-fA-F]{4}|[^])/g, (whole, code) => {
         if (code.length === 5) return String.fromCharCode(parseInt(code.slice(1), 16));
         return { t: "\t", n: "\n", r: "\r", f: "\f" }[code] ?? code;
     });
 }
 
-function properties(text) {
-    const all = new Map();
-    for (const line of logicalLines(text)) {
-        const parts = /^((?:\\.|[^\\=: \t])*)[ \t]*[=:]?[ \t]*(.*)$/.exec(line);
-        if (parts) all.set(unescaped(parts[1]), unescaped(parts[2]).trim());
-    }
-    return all;
+/** Key and value of a line, read once from left to right: files come from anywhere. */
+function property(line) {
+    let at = 0;
+    const skip = () => {
+        while (line[at] === " " || line[at] === "\t") at++;
+    };
+    while (at < line.length && !"=: \t".includes(line[at])) at += line[at] === "\\" ? 2 : 1;
+    const key = line.slice(0, at);
+    skip();
+    if (line[at] === "=" || line[at] === ":") at++;
+    skip();
+    return [unescaped(key), unescaped(line.slice(at)).trim()];
 }
 
 // ---- values ----
@@ -88,9 +95,10 @@ const told = (x) => Number(x.toPrecision(12));
 /** A state's members from the text of a file. */
 export function stateOfFile(text) {
     if (text.length > LARGEST) throw new FileError("file.large");
-    const all = properties(text);
+    const all = new Map(logicalLines(text).map(property));
     const equation = all.get("surface_equation");
     if (!equation) throw new FileError("file.none");
+    if (!isPrintable(equation) || ![...all.keys()].every(isPrintable)) throw new FileError("unprintable");
     const { up, back, radius } = viewOf(all);
     const perspective = all.get("camera_type") !== "ORTHOGRAPHIC_CAMERA";
     const height = numbersOf(all, "camera_height", 1, [2])[0];
@@ -128,7 +136,7 @@ export function stateOfFile(text) {
 
 function escaped(text) {
     const one = (c) => (c > "~" ? `\\u${c.charCodeAt(0).toString(16).padStart(4, "0")}` : c);
-    return text.replace(/[\n\r]+/g, " ").replace(/\\/g, "\\\\").replace(/[^ -~]/g, one);
+    return text.replace(/\\/g, "\\\\").replace(/[^ -~]/g, one);
 }
 
 function rgbOf(colour) {
@@ -142,7 +150,7 @@ export function fileOf(state, axes) {
     const lines = [
         "#libalgsurf",
         `surface_equation=${escaped(state.equation)}`,
-        ...Object.entries(state.parameters).map(([name, p]) => `surface_parameter_${name}=${p.value}`),
+        ...Object.entries(state.parameters).map(([name, p]) => `surface_parameter_${escaped(name)}=${p.value}`),
         "transform_matrix=" + IDENTITY.join(" "),
         "rotation_matrix=" + [...rotation, 0, 0, 0, 1].join(" "),
         `scale_factor=${Math.log10(radius)}`,

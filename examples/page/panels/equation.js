@@ -3,6 +3,7 @@
 // What is wrong is marked in place, by a layer of the same text behind the transparent box.
 import { compiledWith } from "../picture/asking.js";
 import { element, fill } from "../base/dom.js";
+import { printable } from "../state/state.js";
 
 const WAIT = 30; // milliseconds after a key
 
@@ -29,7 +30,7 @@ export class EquationBox {
 
     /** Is what stands in the box what is shown? */
     get isSettled() {
-        return this.#box.value === this.#services.store.get().equation;
+        return printable(this.#box.value) === this.#services.store.get().equation;
     }
 
     focus() {
@@ -74,7 +75,7 @@ export class EquationBox {
     /** Compiles what stands in the box, and hands it on if it is good. */
     async #compile() {
         clearTimeout(this.#timer);
-        const turn = ++this.#latest, equation = this.#box.value;
+        const turn = ++this.#latest, equation = printable(this.#box.value);
         const { store, painter, onSurface } = this.#services;
         if (equation.trim() === "" || equation === store.get().equation) return this.#mark(null);
         try {

@@ -4,7 +4,7 @@
 //
 // Fields have the names of render's options.  What a reader does not know is ignored, and named; so is what
 // is out of range.  A camera that was not moved is left out: the picture then suits the reader's window.
-import { areUsual, checkedState, LIMITS, VERSION } from "./state.js";
+import { areUsual, checkedState, isPrintable, LIMITS, VERSION } from "./state.js";
 
 const LONGEST = 40_000; // characters of a link; an equation of 10,000 may be escaped
 const list = (numbers) => numbers.map((x) => String(x)).join(",");
@@ -106,7 +106,8 @@ function readParameter(name, value, raw) {
     raw.parameters = { ...raw.parameters, [name]: { value: at, from, to } };
 }
 
-/** { state, hasCamera, bad, unknown, newer } of a fragment, or null when it is none of ours. */
+/** { state, hasCamera, bad, unknown, newer, refused } of a fragment, or null when it is none of ours; refused:
+ * it holds what is not printed, and nothing of it is taken. */
 export function stateOfLink(fragment, defaults) {
     const version = /^#v(\d{1,6})(?=&|$)/.exec(fragment);
     if (!version) return null;
@@ -116,6 +117,7 @@ export function stateOfLink(fragment, defaults) {
     for (const field of fields.slice(0, 3 * LIMITS.parameters)) {
         const cut = field.indexOf("=");
         const key = unescaped(field.slice(0, Math.max(cut, 0))), value = unescaped(field.slice(cut + 1));
+        if (!isPrintable((key ?? "") + (value ?? ""))) return { state: defaults, refused: true };
         if (cut < 0 || key === undefined || value === undefined) {
             if (field !== "") bad.push(unescaped(field.slice(0, 20)) ?? "%");
         } else if (key.startsWith("let:")) readParameter(key.slice(4), value, raw);

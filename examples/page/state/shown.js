@@ -103,7 +103,11 @@ export class Shown {
     }
 
     /** What stateOfLink read. */
-    async openLink({ state, hasCamera, bad = [], unknown = [], newer = false }) {
+    async openLink({ state, hasCamera, bad = [], unknown = [], newer = false, refused = false }) {
+        if (refused) {
+            if (!this.#home) this.open(SURFACES[0]);
+            return this.#tell((text) => text("unprintable"));
+        }
         const turn = ++this.#turn;
         try {
             const { parameters } = await compiledWith(this.#painter, state.equation, state.parameters);

@@ -52,8 +52,16 @@ function isObject(value) {
     return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
+/** A text without what is not printed: control characters, ends of lines, what turns or hides others. */
+export function printable(value) {
+    return value.replaceAll("\u2062", "*").replace(/[\p{C}\p{Zl}\p{Zp}]/gu, " "); // \u2062: invisible times
+}
+
+export const isPrintable = (value) => printable(value) === value;
+
 function text(value, longest) {
-    return typeof value === "string" && value.length <= longest ? value : undefined;
+    const is = typeof value === "string" && value.length <= longest && isPrintable(value);
+    return is ? value : undefined;
 }
 
 export function parameter(value) {
