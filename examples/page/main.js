@@ -48,7 +48,7 @@ const canvas = at("picture");
 const shown = new Shown(canvas, { store, painter, tell: (say) => notice.show(say(text)) });
 const box = new EquationBox(
     { box: at("formula"), mirror: at("mirror"), mistake: at("mistake") },
-    { store, painter, text, onSurface: (partial) => shown.openTyped(partial) },
+    { store, painter, text, onSurface: (partial) => shown.openTyped(partial), open: (state) => shown.open(state) },
 );
 shown.onOpen = (equation) => box.show(equation);
 if (linked) void shown.openLink(linked);

@@ -13,6 +13,7 @@ import { fillHelp } from "./panels/help.js";
 import { keepKeys } from "./panels/keys.js";
 import { mount as mountLook } from "./panels/look.js";
 import { Sliders } from "./panels/sliders.js";
+import { mount as mountNothing } from "./panels/nothing.js";
 import { mount as mountView } from "./panels/view.js";
 import { Motion } from "./picture/motion.js";
 import { mount as mountRay } from "./ray/ray.js";
@@ -63,6 +64,7 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const take = new Take(at("take"), { ...services, link, openFile: files.choose });
     const reset = () => store.set({ camera: shown.home });
     mountView(at("view"), { ...services, motion, fit: (what) => shown.fit(what), reset });
+    mountNothing(at("nothing"), { ...services, fit: (what) => shown.fit(what) });
     mountLook(at("look"), services);
     mountCertain(at("certain"), services);
     mountRay(at("ray"), services);

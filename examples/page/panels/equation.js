@@ -1,11 +1,14 @@
 // equation.js - the box that equations are typed into: compiled while typing; the last good picture stays.
 //
-// What is wrong is marked in place, by a layer of the same text behind the transparent box.
+// What is wrong is marked in place, by a layer of the same text behind the transparent box.  A name of the
+// catalogue opens its surface: at once by Enter, else after a while, since it may be the beginning of another.
 import { compiledWith } from "../picture/asking.js";
+import { surfaceNamed, surfacesLike } from "./names.js";
 import { element, fill } from "../base/dom.js";
 import { printable } from "../state/state.js";
 
-const WAIT = 30; // milliseconds after a key
+const WAIT = 30; // milliseconds after a key,
+const NAME_WAIT = 700; // and after a name
 
 export class EquationBox {
     #box;
@@ -15,7 +18,7 @@ export class EquationBox {
     #timer = 0;
     #latest = 0;
 
-    /** services: { store, painter, text, onSurface(partial state, compiled) } */
+    /** services: { store, painter, text, onSurface(partial state, compiled), open(state) } */
     constructor({ box, mirror, mistake }, services) {
         this.#box = box;
         this.#mirror = mirror;
@@ -50,7 +53,7 @@ export class EquationBox {
     #key(event) {
         if (event.key === "Enter" && !event.shiftKey) {
             event.preventDefault();
-            void this.#compile();
+            void this.#compile(true);
         }
         if (event.key === "Escape") {
             event.stopPropagation();
@@ -72,15 +75,22 @@ export class EquationBox {
         this.#box.style.height = `${this.#box.scrollHeight + 2}px`;
     }
 
-    /** Compiles what stands in the box, and hands it on if it is good. */
-    async #compile() {
+    /** Compiles what stands in the box, and hands it on if it is good; isMeant: nothing more will be typed. */
+    async #compile(isMeant = false) {
         clearTimeout(this.#timer);
         const turn = ++this.#latest, equation = printable(this.#box.value);
-        const { store, painter, onSurface } = this.#services;
+        const { store, painter, text, onSurface, open } = this.#services;
         if (equation.trim() === "" || equation === store.get().equation) return this.#mark(null);
+        const named = surfaceNamed(equation, text);
+        if (named && isMeant) return open(named);
+        if (named) {
+            this.#timer = setTimeout(() => this.#compile(true), NAME_WAIT);
+            return;
+        }
         try {
             const { parameters, compiled } = await compiledWith(painter, equation, store.get().parameters);
             if (turn !== this.#latest) return;
+            if (compiled.degree === 0) return this.#mark({ code: "CONSTANT" });
             this.#mark(null);
             await onSurface({ name: "", equation, parameters }, compiled);
         } catch (error) {
@@ -102,7 +112,14 @@ export class EquationBox {
         const parts = [value.slice(0, offset), element("mark", {}, piece), value.slice(end)];
         fill(this.#mirror, ...(typeof error.offset === "number" ? parts : []));
         this.#mirror.scrollTop = this.#box.scrollTop;
-        this.#mistake.textContent = this.#saying(error, offset);
+        const like = surfacesLike(value, this.#services.text).map((surface) => this.#offer(surface));
+        fill(this.#mistake, this.#saying(error, offset), ...like);
+    }
+
+    /** A button that opens the surface. */
+    #offer(surface) {
+        const { text, open } = this.#services;
+        return element("button", { type: "button", click: () => open(surface) }, text(`name.${surface.name}`));
     }
 
     #saying(error, offset) {

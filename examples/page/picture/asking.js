@@ -6,7 +6,7 @@ const LONGEST_FIT = 1500; // milliseconds
 
 /** What compile says; a picture that keeps all workers busy for long is given up for it. */
 async function compile(painter, equation, values) {
-    const timer = setTimeout(() => painter.stop(), PATIENCE);
+    const { count } = painter, timer = setTimeout(() => painter.stop(count), PATIENCE);
     try {
         return await painter.ask("compile", equation, values);
     } finally {

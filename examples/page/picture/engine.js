@@ -328,6 +328,15 @@ export class Engine {
         });
     }
 
+    /** Why nothing is seen: "nowhere", no point is real; "extent", none is in there; "view". */
+    nothing(state) {
+        return this.#answer(() => {
+            const { address } = this.#surfaceOf(state);
+            const use = (numbers) => this.#checked(this.#module.wasm.page_nothing(address, numbers));
+            return ["view", "extent", "nowhere"][this.#withState(state, 0, use, { camera: false })];
+        });
+    }
+
     // ---- pictures ----
 
     #sceneOf(state) {

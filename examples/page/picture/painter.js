@@ -21,7 +21,7 @@ const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is 
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
-const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "thumbnail"];
+const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "thumbnail"];
 
 /** What kinds of work go first. */
 const ORDER = { shown: 0, thumbnail: 1, image: 2, refined: 3 };
@@ -82,8 +82,14 @@ export class Painter {
         }
     }
 
-    /** Draws no more until the next draw(). */
-    stop() {
+    /** How many pictures were asked for. */
+    get count() {
+        return this.#count;
+    }
+
+    /** Draws no more until the next draw(); count: unless there was one since. */
+    stop(count = this.#count) {
+        if (count !== this.#count) return;
         this.#request = this.#waiting = null;
         this.#endAll();
     }
