@@ -30,9 +30,8 @@ const painter = new Painter({
         store.set({ picture: report }, { moving: report.stage === "moving" });
         hasPicture();
     },
-    onStatus({ kind, share = 0 }) {
-        const percent = share > 0 ? ` (${(100 * share).toFixed(1)} %)` : "";
-        if (kind === "slow") void words.then((text) => notice.show(text("slow") + percent, "slow"));
+    onStatus({ kind }) {
+        if (kind === "slow") void words.then((text) => notice.show(text("slow"), "slow"));
         if (kind === "replaced") void words.then((text) => notice.show(text("worker.replaced")));
     },
     onError: ({ message, code }) =>

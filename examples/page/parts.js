@@ -15,6 +15,7 @@ import { mount as mountLook } from "./panels/look.js";
 import { Sliders } from "./panels/sliders.js";
 import { mount as mountNothing } from "./panels/nothing.js";
 import { mount as mountView } from "./panels/view.js";
+import { mount as mountWaiting } from "./panels/waiting.js";
 import { Motion } from "./picture/motion.js";
 import { mount as mountRay } from "./ray/ray.js";
 import { stateOfLink } from "./state/link.js";
@@ -64,6 +65,7 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const take = new Take(at("take"), { ...services, link, openFile: files.choose });
     const reset = () => store.set({ camera: shown.home });
     mountView(at("view"), { ...services, motion, fit: (what) => shown.fit(what), reset });
+    mountWaiting(at("waiting"), { ...services, stage: at("stage") });
     mountNothing(at("nothing"), { ...services, fit: (what) => shown.fit(what) });
     mountLook(at("look"), services);
     mountCertain(at("certain"), services);
@@ -103,23 +105,26 @@ function listen({ text, canvas, box }, { gallery, sliders, motion, take }) {
     });
 }
 
-/** Titles, sentences and the address follow the state. */
+/** Titles and sentences follow the picture that is seen, the address follows the state. */
 function follow({ store, text, canvas, shown }) {
-    const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(store.get(), text)));
+    const seen = ({ picture, ...state }) => ({ ...(picture?.state ?? state), picture });
+    const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(seen(store.get()), text)));
     const keepAddress = debounced(600, () => history.replaceState(null, "", shown.link));
     let told = ""; // what the part about the surface says
-    function show(state, changed, moving) {
-        if (changed.has("name") || changed.has("equation")) {
+    function tell(state, moving) {
+        const about = JSON.stringify([state.name, state.equation, state.picture?.degree]);
+        if (about !== told) {
             at("title").textContent = titleOf(state, text);
             document.title = `${titleOf(state, text)} – algsurf`;
+            showAbout(at("about"), state, text);
         }
-        const about = `${state.name} ${state.picture?.degree}`;
-        if (about !== told) showAbout(at("about"), state, text);
+        if (about !== told || !moving) canvas.setAttribute("aria-label", sentenceOf(state, text));
         told = about;
-        if (!changed.has("picture")) return keepAddress();
-        if (moving) return;
-        canvas.setAttribute("aria-label", sentenceOf(state, text));
-        tellLater();
+        if (!moving) tellLater();
+    }
+    function show(state, changed, moving) {
+        if (changed.has("picture")) tell(seen(state), moving);
+        else keepAddress();
     }
     show(store.get(), new Set(["equation"]));
     show(store.get(), new Set(["picture"]));

@@ -12,8 +12,9 @@ visitTest("where each ray takes long a coarse picture comes soon, and the next s
     const isShown = ({ picture }, wanted) => picture?.state.equation === wanted && { undecided: picture.undecided, hits: picture.hits };
     const { undecided, hits } = await visit.until(isShown, equation, SOON);
     assert.ok(undecided + hits > 20, "the plane is seen");
-    await visit.page.waitForFunction(() => /long.*%/.test(document.querySelector("#notice").textContent), null,
+    await visit.page.waitForFunction(() => /\d.*%/.test(document.querySelector("#waiting").textContent), null,
         { timeout: ROW });
+    assert.match(await visit.text("#notice"), /long/);
     const begin = Date.now();
     await visit.type("x^2 + y^2 + z^2 = 1");
     assert.equal((await visit.settled()).undecided, 0);

@@ -32,7 +32,7 @@ export class Player {
         this.#began = performance.now();
         const next = () => {
             this.#frame = requestAnimationFrame(next);
-            set(thereAndBack(performance.now() - this.#began, this.period));
+            if (!document.hidden) set(thereAndBack(performance.now() - this.#began, this.period));
         };
         next();
     }

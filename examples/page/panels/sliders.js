@@ -47,10 +47,11 @@ export class Sliders {
         if (!play) return;
         const p = this.#services.store.get().parameters[play.name];
         if (!p) return this.#stop();
-        play.phase = (play.phase + (now - play.last) / PERIOD) % 1;
+        const passed = document.hidden ? 0 : now - play.last, range = p.to - p.from;
+        play.phase = (play.phase + passed / PERIOD) % 1;
         play.last = now;
         const share = (1 - Math.cos(2 * Math.PI * play.phase)) / 2;
-        this.#change(play.name, { value: rounded(p.from + share * (p.to - p.from), p.to - p.from) }, true);
+        if (passed > 0) this.#change(play.name, { value: rounded(p.from + share * range, range) }, true);
         requestAnimationFrame((next) => this.#tick(next));
     }
 

@@ -76,7 +76,7 @@ export class Drawing {
     /** A band failed: after a crash or for want of memory it is tried once more; one that had to wait,
      * always. */
     fail(band, error) {
-        if (error.code === "E_UNBEGUN") {
+        if (["E_UNBEGUN", "E_CANCELLED"].includes(error.code)) {
             this.#again.push(band);
             return;
         }

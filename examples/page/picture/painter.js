@@ -6,7 +6,8 @@
 //
 // A picture is a Drawing (drawing.js): its rows are handed out in bands of some milliseconds, two to a worker
 // so that none waits.  What is newer goes first: a picture at rest ends everything of the older one; a moving
-// one, coarse enough to be short, is finished unless it is late.  Asks are answered between two bands.
+// one, coarse enough to be short, is finished unless it is late.  Asks are answered between two bands.  Thumbnails
+// make way for both.  While nobody sees the page only what is saved is drawn.
 import { Coarseness } from "./coarse.js";
 import { Pool } from "./pool.js";
 import { Drawing } from "./drawing.js";
@@ -20,7 +21,10 @@ const STAGES = [
 const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is drawn by doubles alone
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
+const GIVE_WAY = 100; // milliseconds that a band of a thumbnail may keep others waiting
+const THUMBNAIL_TIME = 2000; // milliseconds for one of its bands, and for all of them; it is given up then
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
+const TOO_LONG = { code: "E_TIME", message: "it takes too long" };
 const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "thumbnail"];
 
 /** What kinds of work go first. */
@@ -35,6 +39,7 @@ export class Painter {
     #waiting = null; // a moving one that is not begun
     #count = 0; // of requests
     #shown = 0; // number of the request on the canvas
+    #since = 0; // when the canvas last changed, or was asked to
     #latest = new Map(); // kind of ask: its newest job
     #thinShown = false;
     #seen = ""; // the state of the last moving picture
@@ -48,6 +53,7 @@ export class Painter {
             onStatus: (status) => onStatus(status),
             onError: (error) => onError(error),
         });
+        document.addEventListener("visibilitychange", () => this.#handOut());
     }
 
     get statistics() {
@@ -69,8 +75,10 @@ export class Painter {
             moving,
             number: ++this.#count,
         };
+        if (this.#shown === this.#count - 1) this.#since = performance.now();
         this.#request = request;
         this.#waiting = null;
+        this.#makeWay();
         if (!moving) {
             this.#endAll();
             const isSeen = JSON.stringify(state) === this.#seen; // else a coarse picture comes first
@@ -85,6 +93,16 @@ export class Painter {
     /** How many pictures were asked for. */
     get count() {
         return this.#count;
+    }
+
+    /** How far the newest request is: isShown, on the canvas; waitMs, how long it has not been; isDrawn, it is in
+     * work, ms for so long, the part `share` of it is done. */
+    get progress() {
+        const drawing = this.#drawings.find((one) => one.request), now = performance.now();
+        const isShown = this.#shown === this.#count;
+        const waitMs = isShown ? 0 : now - this.#since;
+        if (!drawing) return { isShown, waitMs, isDrawn: false, ms: 0, share: 0 };
+        return { isShown, waitMs, isDrawn: true, ms: now - drawing.begin, share: drawing.share };
     }
 
     /** Draws no more until the next draw(); count: unless there was one since. */
@@ -141,8 +159,15 @@ export class Painter {
         });
         Object.assign(drawing, { request, stageNumber, factor, stage: moving ? "moving" : step.stage });
         this.#add(drawing);
-        if (moving && !bounded)
-            setTimeout(() => drawing.ended || drawing.isWhole || this.#tooSlow(drawing), SLOW);
+        if (moving && !bounded) this.#watch(drawing);
+    }
+
+    #watch(drawing) {
+        setTimeout(() => {
+            if (drawing.ended || drawing.isWhole) return;
+            if (document.hidden) this.#watch(drawing);
+            else this.#tooSlow(drawing);
+        }, SLOW);
     }
 
     /** A coarse picture that is not done in time is begun again, by doubles alone, as coarse as can be. */
@@ -166,8 +191,6 @@ export class Painter {
      * state. */
     #show(drawing, band) {
         const { request, stageNumber } = drawing;
-        if (stageNumber === 0 && !request.moving && this.#slow === surfaceIn(request.state))
-            this.#callbacks.onStatus({ kind: "slow", share: drawing.share });
         if (request.moving || (stageNumber === 0 && performance.now() - drawing.begin < PATIENCE)) return;
         if (!drawing.isVisible) {
             drawing.isVisible = true;
@@ -182,6 +205,7 @@ export class Painter {
         const { canvas, number } = drawing.request;
         if (number < this.#shown) return;
         this.#shown = number;
+        this.#since = performance.now();
         const context = canvas.getContext("2d");
         fitBitmap(canvas, context, drawing);
         for (const rows of drawing.doneRows(begin, end)) {
@@ -238,7 +262,8 @@ export class Painter {
 
     #handOut() {
         for (const worker of this.#pool.free()) {
-            const drawing = this.#drawings.find((one) => !one.isHandedOut);
+            const rests = (one) => document.hidden && one.order !== ORDER.image;
+            const drawing = this.#drawings.find((one) => !one.isHandedOut && !rests(one));
             if (!drawing) break;
             this.#send(worker, drawing);
             if (drawing.isHandedOut && drawing.request?.moving) this.#next();
@@ -257,11 +282,23 @@ export class Painter {
             antialias,
             bounded,
         };
-        const job = { kind: "band", args: [state, options], drawing };
-        this.#pool.send(job, worker).then(
-            (picture) => drawing.ended || drawing.take(band, picture),
-            (error) => drawing.ended || drawing.fail(band, error),
-        );
+        const job = { kind: "band", args: [state, options], drawing, sent: performance.now() };
+        const isThumbnail = drawing.order === ORDER.thumbnail;
+        const timer = isThumbnail ? setTimeout(() => drawing.onFail(TOO_LONG), THUMBNAIL_TIME) : 0;
+        this.#pool
+            .send(job, worker)
+            .then(
+                (picture) => drawing.ended || drawing.take(band, picture),
+                (error) => drawing.ended || drawing.fail(band, error),
+            )
+            .finally(() => clearTimeout(timer));
+    }
+
+    /** Soon no worker is kept by a thumbnail. */
+    #makeWay() {
+        const asked = performance.now();
+        const keeps = ({ drawing, sent }) => drawing?.order === ORDER.thumbnail && sent < asked;
+        setTimeout(() => this.#pool.cancel(keeps), GIVE_WAY);
     }
 
     /** A drawing of its own, not for the canvas; resolves to its pixels. */
@@ -278,7 +315,10 @@ export class Painter {
                 order,
                 msPerPixel: this.#coarseness.msPerPixel,
                 workers: this.#pool.size,
-                onBand: () => onProgress?.(drawing.share),
+                onBand: () => {
+                    onProgress?.(drawing.share);
+                    if (order === ORDER.thumbnail && drawing.workMs > THUMBNAIL_TIME) drawing.onFail(TOO_LONG);
+                },
                 onDone: () => end(() => resolve({ width, height, data: drawing.data })),
                 onFail: (error) => end(() => reject(error)),
             });
@@ -307,6 +347,7 @@ export class Painter {
         const options = args.at(-1)?.latest !== undefined ? args.pop() : {};
         if (kind === "thumbnail") return this.#thumbnail(...args);
         const job = { kind, args: structuredClone(args), urgent: true };
+        this.#makeWay();
         if (options.latest) {
             const older = this.#latest.get(kind);
             if (older) this.#pool.cancel((other) => other === older);
