@@ -45,9 +45,10 @@ translate(document, text);
 
 const canvas = at("picture");
 const shown = new Shown(canvas, { store, painter, tell: (say) => notice.show(say(text)) });
+const open = (state) => shown.open(state);
 const box = new EquationBox(
     { box: at("formula"), mirror: at("mirror"), mistake: at("mistake") },
-    { store, painter, text, onSurface: (partial) => shown.openTyped(partial), open: (state) => shown.open(state) },
+    { store, painter, text, onSurface: (partial) => shown.openTyped(partial), open },
 );
 shown.onOpen = (equation) => box.show(equation);
 if (linked) void shown.openLink(linked);

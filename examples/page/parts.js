@@ -14,13 +14,11 @@ import { keepKeys } from "./panels/keys.js";
 import { mount as mountLook } from "./panels/look.js";
 import { Sliders } from "./panels/sliders.js";
 import { mount as mountNothing } from "./panels/nothing.js";
+import { keepPast } from "./panels/past.js";
 import { mount as mountView } from "./panels/view.js";
 import { mount as mountWaiting } from "./panels/waiting.js";
 import { Motion } from "./picture/motion.js";
 import { mount as mountRay } from "./ray/ray.js";
-import { stateOfLink } from "./state/link.js";
-import { checkedState } from "./state/state.js";
-import { SURFACES } from "./state/surfaces.js";
 
 const at = (id) => document.getElementById(id);
 
@@ -56,8 +54,7 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const services = { store, painter, text, canvas, notify: (words) => notice.show(words) };
     const open = (state) => shown.open(state), link = () => shown.link;
     const gallery = new Gallery(at("gallery"), { ...services, open });
-    const remember = debounced(4000, () => box.isSettled && gallery.remember(store.get()));
-    shown.onTyped = remember;
+    keepPast({ ...services, box, gallery, shown });
     const sliders = new Sliders(at("sliders"), services);
     const motion = new Motion(canvas, { ...services, home: () => shown.home });
     const openFile = (state) => shown.openLink({ state, hasCamera: true });
@@ -105,11 +102,10 @@ function listen({ text, canvas, box }, { gallery, sliders, motion, take }) {
     });
 }
 
-/** Titles and sentences follow the picture that is seen, the address follows the state. */
-function follow({ store, text, canvas, shown }) {
+/** Titles and sentences follow the picture that is seen. */
+function follow({ store, text, canvas }) {
     const seen = ({ picture, ...state }) => ({ ...(picture?.state ?? state), picture });
     const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(seen(store.get()), text)));
-    const keepAddress = debounced(600, () => history.replaceState(null, "", shown.link));
     let told = ""; // what the part about the surface says
     function tell(state, moving) {
         const about = JSON.stringify([state.name, state.equation, state.picture?.degree]);
@@ -122,18 +118,8 @@ function follow({ store, text, canvas, shown }) {
         told = about;
         if (!moving) tellLater();
     }
-    function show(state, changed, moving) {
-        if (changed.has("picture")) tell(seen(state), moving);
-        else keepAddress();
-    }
-    show(store.get(), new Set(["equation"]));
-    show(store.get(), new Set(["picture"]));
-    store.subscribe((state, { changed, moving }) => show(state, changed, moving));
-    // The event's address: that of the page may by now be the one that keepAddress wrote.
-    window.addEventListener("hashchange", ({ newURL }) => {
-        const read = stateOfLink(new URL(newURL).hash, checkedState(SURFACES[0]).state);
-        if (read) void shown.openLink(read);
-    });
+    tell(seen(store.get()), false);
+    store.subscribe((state, { changed, moving }) => changed.has("picture") && tell(seen(state), moving));
 }
 
 /** services: { store, painter, text, canvas, shown, box, notice } */

@@ -13,6 +13,38 @@ function slide(visit, value) {
 
 const radius = ({ extent }) => extent.size[0];
 
+const HEAVY = "(x+y+z+1)^64"; // a tenth of a second each ray
+const AWAY = { eye: [90, 80, 70], lookAt: [95, 80, 70], up: [0, 0, 1], fov: 2 };
+
+/** Looks away, so that nothing is seen, and presses the button. */
+async function lookAwayAndFit(visit, partial = {}) {
+    await visit.page.evaluate((partial) => window.algsurfPage.store.set(partial), { camera: AWAY, ...partial });
+    await visit.button("view.fit").first().click();
+    return visit.until(({ camera, picture, extent }, away) =>
+        camera.eye[0] !== away && picture?.state.camera.eye[0] === camera.eye[0] && picture.hits + picture.undecided > 20 &&
+        { size: extent.size[0], camera }, AWAY.eye[0]);
+}
+
+visitTest("the view always fits: where nothing is seen, in complex space, behind a plane, where each ray takes long", {}, async (visit) => {
+    await lookAwayAndFit(visit);
+    await visit.settled();
+    await visit.type("x^2 + y^2 + z^2 = 9");
+    await visit.until(({ equation }) => equation.endsWith("9"));
+    await visit.settled();
+    await lookAwayAndFit(visit);
+    const empty = { kind: "sphere", size: [0.5], centre: [9, 9, 9] };
+    await visit.page.evaluate((camera) => window.algsurfPage.store.set({ camera }), AWAY);
+    await visit.until(({ picture }) => picture?.hits === 0 && picture.stage === "plain");
+    assert.ok((await lookAwayAndFit(visit, { extent: empty })).size > 3);
+    await visit.settled();
+    await visit.page.evaluate(() => window.algsurfPage.store.set({ clip: [[1, 0, 0, -99]] }));
+    await visit.until(({ picture }) => picture?.hits === 0 && picture.stage === "plain");
+    await lookAwayAndFit(visit, {});
+    await lookAwayAndFit(visit, { complex: { sigma: 0, delta: 0.2, imaginary: {} } });
+    await visit.page.evaluate((equation) => window.algsurfPage.store.set({ equation, complex: null }), HEAVY);
+    await lookAwayAndFit(visit);
+});
+
 visitTest("at rest a fitted extent is fitted again, and one that was chosen stays", {}, async (visit) => {
     await visit.type("x^2+y^2+z^2=a");
     const before = await visit.until(({ extent, parameters }) => parameters?.a && extent.kind === "fitted" && extent.size[0]);

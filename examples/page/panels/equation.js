@@ -18,6 +18,8 @@ export class EquationBox {
     #timer = 0;
     #latest = 0;
 
+    session = 0; // of typing: another one begins where the box is entered, or what it holds is meant
+
     /** services: { store, painter, text, onSurface(partial state, compiled), open(state) } */
     constructor({ box, mirror, mistake }, services) {
         this.#box = box;
@@ -27,6 +29,7 @@ export class EquationBox {
         box.addEventListener("input", () => this.#later());
         box.addEventListener("scroll", () => (mirror.scrollTop = box.scrollTop));
         box.addEventListener("keydown", (event) => this.#key(event));
+        box.addEventListener("focus", () => this.session++);
         new ResizeObserver(() => this.#fit()).observe(box.parentElement);
         if (!this.isSettled) this.#later(); // typed before there was this
     }
@@ -45,6 +48,7 @@ export class EquationBox {
     show(equation) {
         clearTimeout(this.#timer);
         this.#latest++;
+        this.session++;
         this.#box.value = equation;
         this.#fit();
         this.#mark(null);
@@ -53,7 +57,7 @@ export class EquationBox {
     #key(event) {
         if (event.key === "Enter" && !event.shiftKey) {
             event.preventDefault();
-            void this.#compile(true);
+            void this.#compile(true).then(() => this.session++);
         }
         if (event.key === "Escape") {
             event.stopPropagation();
@@ -75,7 +79,7 @@ export class EquationBox {
         this.#box.style.height = `${this.#box.scrollHeight + 2}px`;
     }
 
-    /** Compiles what stands in the box, and hands it on if it is good; isMeant: nothing more will be typed. */
+    /** Compiles what stands in the box, and hands it on if it is good; isMeant: no more will be typed. */
     async #compile(isMeant = false) {
         clearTimeout(this.#timer);
         const turn = ++this.#latest, equation = printable(this.#box.value);
@@ -119,7 +123,8 @@ export class EquationBox {
     /** A button that opens the surface. */
     #offer(surface) {
         const { text, open } = this.#services;
-        return element("button", { type: "button", click: () => open(surface) }, text(`name.${surface.name}`));
+        const name = text(`name.${surface.name}`);
+        return element("button", { type: "button", click: () => open(surface) }, name);
     }
 
     #saying(error, offset) {

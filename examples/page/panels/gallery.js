@@ -39,12 +39,11 @@ export class Gallery {
         return states.filter(({ bad }) => bad.length === 0).map(({ state }) => state);
     }
 
-    /** Keeps an own surface that was looked at. */
-    remember(state) {
-        if (state.name !== "" || this.#recent[0]?.equation === state.equation) return;
-        const { picture, ...plain } = state;
-        const others = this.#recent.filter(({ equation }) => equation !== state.equation);
-        this.#recent = [plain, ...others].slice(0, RECENT);
+    /** Keeps an own surface that was looked at, in the place of one with the equation `instead`. */
+    remember(state, instead) {
+        if (this.#recent[0]?.equation === state.equation) return;
+        const others = this.#recent.filter(({ equation }) => ![state.equation, instead].includes(equation));
+        this.#recent = [state, ...others].slice(0, RECENT);
         memory.set("recent", this.#recent);
         this.#build();
     }

@@ -34,7 +34,8 @@ export function surfacesLike(words, text) {
     if (words.length > LONGEST || /[^\p{L}\p{M}\s'’.-]/u.test(words)) return [];
     const wanted = plain(words), most = Math.min(MOST_WRONG, Math.floor((wanted.length + 2) / 3));
     const far = (surface) => {
-        const names = namesOf(surface, text), parts = names[1].split(" ").filter((part) => part.length >= SHORT);
+        const names = namesOf(surface, text);
+        const parts = names[1].split(" ").filter((part) => part.length >= SHORT);
         return Math.min(...[...names, ...parts].map((name) => distance(wanted, name)));
     };
     const near = SURFACES.map((surface) => [far(surface), surface]).filter(([by]) => by <= most);

@@ -1,5 +1,5 @@
-// waiting.js - while a picture is on its way: the old one is marked as old, what takes long tells how far it is, and
-// can be stopped.
+// waiting.js - while a picture is on its way: the old one is marked as old, what takes long tells how far it
+// is, and can be stopped.
 import { button } from "../base/controls.js";
 import { element } from "../base/dom.js";
 

@@ -95,8 +95,8 @@ export class Painter {
         return this.#count;
     }
 
-    /** How far the newest request is: isShown, on the canvas; waitMs, how long it has not been; isDrawn, it is in
-     * work, ms for so long, the part `share` of it is done. */
+    /** How far the newest request is: isShown, on the canvas; waitMs, how long it has not been; isDrawn, it is
+     * in work, ms for so long, the part `share` of it is done. */
     get progress() {
         const drawing = this.#drawings.find((one) => one.request), now = performance.now();
         const isShown = this.#shown === this.#count;
@@ -317,7 +317,8 @@ export class Painter {
                 workers: this.#pool.size,
                 onBand: () => {
                     onProgress?.(drawing.share);
-                    if (order === ORDER.thumbnail && drawing.workMs > THUMBNAIL_TIME) drawing.onFail(TOO_LONG);
+                    const isLong = order === ORDER.thumbnail && drawing.workMs > THUMBNAIL_TIME;
+                    if (isLong) drawing.onFail(TOO_LONG);
                 },
                 onDone: () => end(() => resolve({ width, height, data: drawing.data })),
                 onFail: (error) => end(() => reject(error)),

@@ -2,9 +2,10 @@
 import { suited } from "../picture/camera.js";
 import { compiledWith, fit as fitOf } from "../picture/asking.js";
 import { linkOf } from "./link.js";
-import { checkedState, constantsOf } from "./state.js";
+import { checkedState, constantsOf, radiusOf } from "./state.js";
 import { SURFACES, surfaceOf } from "./surfaces.js";
 
+const FOV = 25; // degrees, as cameras have that are fitted
 const MOST_SHARP = 2; // device pixels for one of CSS that are drawn
 const DRAWN = ["equation", "parameters", "extent", "clip", "camera", "colours", "light", "thin", "complex"];
 
@@ -19,7 +20,6 @@ function isOfCatalogue({ name, equation }) {
 
 export class Shown {
     onOpen = () => {}; // told the equation that was opened
-    onTyped = () => {}; // told that what was typed is shown
     #canvas;
     #store;
     #painter;
@@ -138,7 +138,6 @@ export class Shown {
         if (turn !== this.#turn) return;
         if (found) this.#show({ ...partial, clip: [], extent: found.extent }, found.camera);
         else this.#store.set({ ...partial, clip: [] });
-        this.onTyped();
     }
 
     // ---- fitted ----
@@ -157,15 +156,26 @@ export class Shown {
         this.#store.set({ ...partial, camera });
     }
 
-    /** what: "view" chooses extent and camera anew, "camera" the camera. */
+    /** what: "view" chooses extent and camera anew, "camera" the camera, unless nothing is seen. */
     async fit(what) {
-        const { extent } = this.#store.get(), turn = this.#turn;
-        try {
-            const found = await this.#ask({}, what === "view" ? "fitted" : extent.kind);
-            if (found && turn === this.#turn) this.#show({ extent: what === "view" ? found.extent : extent }, found.camera);
-        } catch (error) {
-            if (error.code !== "E_CANCELLED") this.#tell((text) => text("trouble", { why: error.message }));
-        }
+        const { extent, clip, picture } = this.#store.get(), turn = this.#turn;
+        const isEmpty = picture?.hits + picture?.undecided + picture?.thin === 0;
+        const isAnew = what === "view" || isEmpty;
+        const asked = this.#ask({}, isAnew ? "fitted" : extent.kind);
+        const found = await asked.catch(({ code }) => code !== "E_CANCELLED" && null);
+        if (found === false || turn !== this.#turn) return;
+        const { extent: fitted, camera } = found ?? { extent, camera: this.#wholeExtent() };
+        this.#show({ extent: isAnew ? fitted : extent, clip: isEmpty ? [] : clip }, camera);
+    }
+
+    /** Where fitting takes too long: a camera that looks the same way, and shows all of the extent. */
+    #wholeExtent() {
+        const { extent, camera } = this.#store.get();
+        const back = camera.eye.map((x, i) => x - camera.lookAt[i]), lookAt = extent.centre;
+        const far = radiusOf(extent) / Math.sin((FOV * Math.PI) / 360) / Math.hypot(...back);
+        const eye = back.map((x, i) => lookAt[i] + far * x);
+        const { clientWidth, clientHeight } = this.#canvas;
+        return suited({ ...camera, eye, lookAt, fov: FOV }, clientWidth, clientHeight);
     }
 
     /** At rest, once letters have other values: a fitted extent is fitted to them; a camera that was moved
