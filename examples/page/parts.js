@@ -1,6 +1,6 @@
 // parts.js - all of the page but the picture and the equation: makes the parts and wires them together.
 import { choice } from "./base/controls.js";
-import { debounced, element, memory } from "./base/dom.js";
+import { debounced, element, memory, narrow } from "./base/dom.js";
 import { LANGUAGES } from "./base/text.js";
 import { switchTheme } from "./base/theme.js";
 import { mount as mountComplex } from "./complex/complex.js";
@@ -20,12 +20,19 @@ import { mount as mountWaiting } from "./panels/waiting.js";
 import { Motion } from "./picture/motion.js";
 import { mount as mountRay } from "./ray/ray.js";
 
+const AGAIN = 32; // pixels between two taps at the same place
 const at = (id) => document.getElementById(id);
 
 function openPanel(text, isOpen = true) {
     document.body.classList.toggle("open", isOpen);
     at("handle").setAttribute("aria-expanded", String(isOpen));
     at("handle").firstElementChild.textContent = text(isOpen ? "panel.close" : "panel.open");
+}
+
+/** Where the panel is a sheet, the sliders lie over the picture. */
+function placeSliders() {
+    if (narrow.matches) at("stage").append(at("sliders"));
+    else at("about").after(at("sliders"));
 }
 
 function showSection(text, name) {
@@ -61,28 +68,41 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const files = openDrops(document.body, { ...services, drop: at("drop"), open: openFile });
     const take = new Take(at("take"), { ...services, link, openFile: files.choose });
     const reset = () => store.set({ camera: shown.home });
+    narrow.addEventListener("change", placeSliders);
+    placeSliders();
     mountView(at("view"), { ...services, motion, fit: (what) => shown.fit(what), reset });
     mountWaiting(at("waiting"), { ...services, stage: at("stage") });
     mountNothing(at("nothing"), { ...services, fit: (what) => shown.fit(what) });
     mountLook(at("look"), services);
     mountCertain(at("certain"), services);
-    mountRay(at("ray"), services);
+    const ray = mountRay(at("ray"), { ...services, line: at("hit") });
     mountComplex(at("complex"), { ...services, open });
     fillHelp(at("help"), text);
     at("foot").append(languagesOf(text, shown), element("span", {}, text("foot.about")));
-    return { gallery, sliders, motion, take };
+    return { gallery, sliders, motion, take, ray };
 }
 
 /** Buttons and keys. */
-function listen({ text, canvas, box }, { gallery, sliders, motion, take }) {
+function listen({ text, canvas, box }, { gallery, sliders, motion, take, ray }) {
+    const look = () => {
+        showSection(text, "ray");
+        ray.look();
+    };
+    let last = null; // the place that was looked at
+    canvas.addEventListener("place", ({ detail: { x, y } }) => {
+        const { clientWidth, clientHeight } = canvas;
+        const isAgain = last && Math.hypot((x - last.x) * clientWidth, (y - last.y) * clientHeight) < AGAIN;
+        if (!narrow.matches || (isAgain && !at("hit").hidden)) look();
+        last = { x, y };
+    });
+    at("hit").addEventListener("click", look);
     at("handle").addEventListener("click", () => openPanel(text, !document.body.classList.contains("open")));
     at("copy-link").addEventListener("click", () => take.copyLink());
     at("open-save").addEventListener("click", () =>
-        showSection(text, "take").querySelector("button").focus(),
+        showSection(text, "take").querySelector("button").focus({ preventScroll: true }),
     );
     at("theme").addEventListener("click", switchTheme);
     at("open-help").addEventListener("click", () => at("help").showModal());
-    canvas.addEventListener("place", () => showSection(text, "ray"));
     keepKeys({
         motion,
         gallery,

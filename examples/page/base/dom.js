@@ -46,6 +46,9 @@ export function debounced(milliseconds, act) {
     };
 }
 
+/** Is the panel a sheet below the picture?  As in page.css. */
+export const narrow = matchMedia("(max-width: 859px)");
+
 /** What the browser keeps for this page; it may refuse to. */
 export const memory = {
     get(key) {

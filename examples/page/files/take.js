@@ -81,6 +81,7 @@ export class Take {
             element(
                 "div",
                 { class: "buttons" },
+                this.start[0],
                 button(text("take.link"), () => this.copyLink()),
                 button(text("take.command"), () => this.#copyCommand()),
                 button(text("take.program"), () => this.#copyProgram()),
@@ -89,7 +90,6 @@ export class Take {
             row(text("take.size"), this.width, times(), this.height),
             row(text("take.quality"), this.quality),
             row(text("take.samples"), this.samples),
-            element("div", { class: "buttons" }, this.start[0]),
             element("h3", {}, text("take.film.title")),
             row(text("take.film.what"), this.what),
             row(text("take.size"), this.filmWidth, times(), this.filmHeight),

@@ -1,4 +1,4 @@
-// help.js - the dialog that shows the keys, and what pointers do.
+// help.js - the dialog that shows what pointers do, and the keys.
 import { element, fill } from "../base/dom.js";
 import { button } from "../base/controls.js";
 
@@ -34,7 +34,7 @@ export function fillHelp(dialog, text) {
     fill(
         dialog,
         element("h2", { id: "help-title", tabindex: -1, autofocus: true }, text("help.title")),
-        element("div", { class: "lists" }, element("dl", {}, ...keys), element("dl", {}, ...pointers)),
+        element("div", { class: "lists" }, element("dl", {}, ...pointers), element("dl", {}, ...keys)),
         button(text("close"), () => dialog.close(), { class: "main" }),
     );
 }

@@ -4,6 +4,7 @@ import { button } from "../base/controls.js";
 import { element } from "../base/dom.js";
 
 const OLD = 250, HEAVY = 1000; // milliseconds
+const FINE = 5000; // milliseconds that antialiasing or shadows may take before they are told
 const TICK = 100; // milliseconds between two looks
 
 /** room: over the picture; stage: around both; notify(words) */
@@ -18,11 +19,11 @@ export function mount(room, { stage, store, painter, text, notify }) {
     room.append(words, stop);
 
     function show() {
-        const { isShown, waitMs, isDrawn, ms, share } = painter.progress;
+        const { isShown, waitMs, isDrawn, isFirst, ms, share } = painter.progress;
         const isOld = !isShown && waitMs > OLD;
         stage.classList.toggle("old", isOld);
         stage.setAttribute("aria-busy", String(isOld));
-        room.hidden = !isDrawn || !(isOld || ms > HEAVY);
+        room.hidden = !isDrawn || !(isOld || ms > (isFirst ? HEAVY : FINE));
         const percent = share > 0 ? `${text.number(Math.floor(1000 * share) / 10)} %` : "";
         words.textContent = room.hidden ? "" : text("drawing", { percent });
         if (isDrawn || (!isShown && !isOld)) return;

@@ -22,6 +22,7 @@ const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is 
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
 const GIVE_WAY = 100; // milliseconds that a band of a thumbnail may keep others waiting
+const QUIET = 500; // milliseconds without another wish, before thumbnails go on
 const THUMBNAIL_TIME = 2000; // milliseconds for one of its bands, and for all of them; it is given up then
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
 const TOO_LONG = { code: "E_TIME", message: "it takes too long" };
@@ -39,6 +40,7 @@ export class Painter {
     #waiting = null; // a moving one that is not begun
     #count = 0; // of requests
     #shown = 0; // number of the request on the canvas
+    #quietFrom = 0; // when thumbnails go on
     #since = 0; // when the canvas last changed, or was asked to
     #latest = new Map(); // kind of ask: its newest job
     #thinShown = false;
@@ -96,13 +98,14 @@ export class Painter {
     }
 
     /** How far the newest request is: isShown, on the canvas; waitMs, how long it has not been; isDrawn, it is
-     * in work, ms for so long, the part `share` of it is done. */
+     * in work, ms for so long, the part `share` of it is done, and isFirst: nothing as good is shown yet. */
     get progress() {
         const drawing = this.#drawings.find((one) => one.request), now = performance.now();
         const isShown = this.#shown === this.#count;
         const waitMs = isShown ? 0 : now - this.#since;
         if (!drawing) return { isShown, waitMs, isDrawn: false, ms: 0, share: 0 };
-        return { isShown, waitMs, isDrawn: true, ms: now - drawing.begin, share: drawing.share };
+        const { begin, share, stageNumber } = drawing;
+        return { isShown, waitMs, isDrawn: true, ms: now - begin, share, isFirst: stageNumber === 0 };
     }
 
     /** Draws no more until the next draw(); count: unless there was one since. */
@@ -262,12 +265,16 @@ export class Painter {
 
     #handOut() {
         for (const worker of this.#pool.free()) {
-            const rests = (one) => document.hidden && one.order !== ORDER.image;
-            const drawing = this.#drawings.find((one) => !one.isHandedOut && !rests(one));
+            const drawing = this.#drawings.find((one) => !one.isHandedOut && !this.#rests(one));
             if (!drawing) break;
             this.#send(worker, drawing);
             if (drawing.isHandedOut && drawing.request?.moving) this.#next();
         }
+    }
+
+    #rests({ order }) {
+        if (document.hidden) return order !== ORDER.image;
+        return order === ORDER.thumbnail && performance.now() < this.#quietFrom;
     }
 
     #send(worker, drawing) {
@@ -298,7 +305,9 @@ export class Painter {
     #makeWay() {
         const asked = performance.now();
         const keeps = ({ drawing, sent }) => drawing?.order === ORDER.thumbnail && sent < asked;
+        this.#quietFrom = asked + QUIET;
         setTimeout(() => this.#pool.cancel(keeps), GIVE_WAY);
+        setTimeout(() => this.#handOut(), QUIET + 1);
     }
 
     /** A drawing of its own, not for the canvas; resolves to its pixels. */

@@ -1,6 +1,6 @@
 // ray.js - one ray, looked into: where it meets the surface, its polynomial, how the first root was found,
-// and all complex roots.
-import { element } from "../base/dom.js";
+// and all complex roots.  Where the panel is a sheet that is closed, one line over the picture tells the hit.
+import { element, narrow } from "../base/dom.js";
 import { between, lowered, short, whole } from "../base/number.js";
 import { Place } from "./place.js";
 import { Plane } from "./plane.js";
@@ -45,11 +45,13 @@ function coefficientsOf(pick, imaginary) {
     });
 }
 
+const verdictOf = (pick, { complex }) => `ray.verdict.${complex ? "complex." : ""}${pick.state}`;
+
 class Panel {
     #moving = false;
 
-    constructor(room, { painter, store, text, canvas }) {
-        Object.assign(this, { painter, store, text });
+    constructor(room, { painter, store, text, canvas, line }) {
+        Object.assign(this, { painter, store, text, line });
         this.ask = latest(() => this.#ask());
         this.place = new Place(canvas, () => this.#changed());
         this.search = new Search(text);
@@ -134,7 +136,18 @@ class Panel {
 
     #changed(moving = false) {
         this.#moving = moving; // while it does, slower questions wait
-        this.ask();
+        if (moving && !this.isOpen && this.place.get()) this.place.clear();
+        else this.ask();
+    }
+
+    /** Are the answers seen? */
+    get isOpen() {
+        return this.section.open && (!narrow.matches || document.body.classList.contains("open"));
+    }
+
+    /** Asks now, since they are seen. */
+    look() {
+        this.#changed();
     }
 
     #hide(verdict) {
@@ -146,9 +159,11 @@ class Panel {
 
     /** All questions about the place as it is now; none while nobody sees the answers. */
     async #ask() {
-        this.place.visible = this.section.open;
-        if (!this.section.open) return undefined;
         const place = this.place.get();
+        this.place.visible = this.isOpen || narrow.matches;
+        if (!this.isOpen && place && narrow.matches) return this.#tellInLine(place);
+        this.line.hidden = true;
+        if (!this.isOpen) return undefined;
         this.hint.hidden = place !== null;
         if (!place) return this.#hide("");
         const state = this.store.get();
@@ -157,6 +172,16 @@ class Panel {
         } catch (error) {
             this.#hide(this.text("ray.failed", { reason: error.message }));
         }
+    }
+
+    /** The hit, in one line. */
+    async #tellInLine(place) {
+        const { text } = this, state = this.store.get();
+        const pick = await this.painter.ask("pick", state, place).catch(() => null);
+        const position = pick?.state === "hit" ? pick.position.map((x) => Number(x.toPrecision(4))) : null;
+        if (position) this.line.textContent = text("ray.line", { position: vector(position) });
+        else this.line.textContent = text(pick ? verdictOf(pick, state) : "ray.outside");
+        this.line.hidden = false;
     }
 
     async #fill(state, place, moving) {
@@ -183,8 +208,7 @@ class Panel {
 
     #tell(pick, place, state) {
         const { text } = this;
-        const key = state.complex ? `ray.verdict.complex.${pick.state}` : `ray.verdict.${pick.state}`;
-        this.verdict.textContent = text(key, { degree: pick.degree });
+        this.verdict.textContent = text(verdictOf(pick, state));
         const rows = factsOf(pick, place, state.complex, text);
         this.facts.replaceChildren(
             ...rows.flatMap(([name, value]) => [element("dt", {}, text(name)), element("dd", {}, value)]),
@@ -193,7 +217,7 @@ class Panel {
     }
 }
 
-/** Puts the panel into an element, which is part of one that unfolds; canvas: the picture. */
+/** Puts the panel into an element, which is part of one that unfolds; canvas: the picture; line: over it. */
 export function mount(room, services) {
     return new Panel(room, services);
 }
