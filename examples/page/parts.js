@@ -59,7 +59,7 @@ function languagesOf(text, shown) {
 /** Sections of the panel, the gallery, and what moves the picture. */
 function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const services = { store, painter, text, canvas, notify: (words) => notice.show(words) };
-    const open = (state) => shown.open(state), link = () => shown.link;
+    const open = (state, how) => shown.open(state, how), link = () => shown.link;
     const gallery = new Gallery(at("gallery"), { ...services, open });
     keepPast({ ...services, box, gallery, shown });
     const sliders = new Sliders(at("sliders"), services);

@@ -4,6 +4,39 @@ import { visitTest } from "./harness.mjs";
 import { drawnPixels } from "./png.mjs";
 import { Recorder } from "./recorder.mjs";
 
+/** The share of pixels that are drawn, of those at the picture's edge, and of the ones of each side's colour. */
+function shares({ width, height, data }) {
+    const seen = { all: 0, edge: 0, warm: 0, cold: 0 };
+    for (let i = 0; i < width * height; i++) {
+        const [r, , b, a] = data.subarray(4 * i, 4 * i + 4), x = i % width, y = Math.floor(i / width);
+        if (a < 128) continue;
+        seen.all++;
+        seen[r > b ? "warm" : "cold"]++;
+        if (x === 0 || y === 0 || x === width - 1 || y === height - 1) seen.edge++;
+    }
+    return Object.fromEntries(Object.entries(seen).map(([key, count]) => [key, count / (width * height)]));
+}
+
+const PHONE = { width: 360, height: 640, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
+for (const [where, size] of [["a desktop", { width: 900, height: 640 }], ["a phone", PHONE]])
+    visitTest(`the paper's presets are seen whole, with both sides, and differ from real space: ${where}`, size, async (visit) => {
+        const presets = visit.page.locator(".complex-presets button"), options = { width: 120, height: 90, antialias: 1 };
+        for (let i = 0; i < (await presets.count()); i++) {
+            await presets.nth(i).evaluate((node) => node.click());
+            await visit.until(({ complex, picture }) => complex && JSON.stringify(picture?.state.complex) === JSON.stringify(complex));
+            await visit.settled();
+            const name = `${i}, ${await presets.nth(i).textContent()}`, picture = await visit.pixels();
+            const { all, edge, warm, cold } = shares(picture);
+            assert.ok(all > 0.08 && all < 0.75, `${name}: ${all} of the picture`);
+            assert.equal(edge, 0, `${name} is cut`);
+            assert.ok(Math.min(warm, cold) > 0.004, `${name}: ${warm} and ${cold}`);
+            const complex = await visit.image(options);
+            const real = await visit.page.evaluate(() => window.algsurfPage.store.set({ complex: null })).then(() => visit.image(options));
+            const other = complex.data.filter((value, k) => Math.abs(value - real.data[k]) > 40).length / complex.data.length;
+            assert.ok(other > 0.03, `${name}: only ${other} differs from real space`);
+        }
+    });
+
 visitTest("the paper's presets are drawn", { width: 900, height: 640 }, async (visit) => {
     await visit.unfold("complex");
     const presets = await visit.page.locator(".complex-presets button").all();

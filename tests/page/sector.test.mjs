@@ -104,7 +104,7 @@ visitTest("who wants no motion gets one picture after the other", { link: SPHERE
         await visit.settled();
         assert.equal(degrees((await visit.state()).complex.delta), seen[i], "it moves by itself");
     }
-    for (const [i, delta] of seen.entries()) assert.ok(Math.abs(delta - (70 * (i + 1)) / 8) < 1e-9, `${delta}`);
+    for (const [i, delta] of seen.entries()) assert.ok(Math.abs(delta - (30 * (i + 1)) / 8) < 1e-9, `${delta}`);
 });
 
 visitTest("a ray is asked about only while its section is open", { link: SPHERE }, async (visit) => {

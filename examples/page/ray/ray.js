@@ -136,7 +136,7 @@ class Panel {
 
     #changed(moving = false) {
         this.#moving = moving; // while it does, slower questions wait
-        if (moving && !this.isOpen && this.place.get()) this.place.clear();
+        if (moving && narrow.matches && !this.isOpen && this.place.get()) this.place.clear();
         else this.ask();
     }
 
