@@ -96,7 +96,10 @@ function listen({ text, canvas, box }, { gallery, sliders, motion, take, ray }) 
         last = { x, y };
     });
     at("hit").addEventListener("click", look);
-    at("handle").addEventListener("click", () => openPanel(text, !document.body.classList.contains("open")));
+    at("handle").addEventListener("click", () => {
+        openPanel(text, !document.body.classList.contains("open"));
+        ray.look();
+    });
     at("copy-link").addEventListener("click", () => take.copyLink());
     at("open-save").addEventListener("click", () =>
         showSection(text, "take").querySelector("button").focus({ preventScroll: true }),
