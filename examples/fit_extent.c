@@ -5,8 +5,9 @@
  * Everything that is special about a surface, as a rule, is within a few units of the origin.  Where a proof
  * finds all of it within 32 units, and not next to the end, it is bounded as far as eyes can tell, and the
  * extent is a ball about the box of that proof.  The unit of a flat surface is its thickness, so boxes 32 and
- * 1024 times as large are tried, too.  Else the extent is a ball that shows the singular points, if these are
- * bounded, and 3.5 units in any case; if nothing is in it, twice as much, and so on.
+ * 1024 times as large are tried, too; a point is shown in a ball of its unit.  Else the extent is a ball that
+ * shows the singular points, if these are bounded, and 3.5 units in any case; if nothing is in it, twice as
+ * much, and so on.  Singular points that lie on a bounded part of it show that part alone.
  *
  * The constants are matters of taste: they were chosen by looking at the pictures of some 200 famous
  * surfaces, of which tests/cli_famous keeps 50.
@@ -18,9 +19,13 @@
 #include <stdlib.h>
 
 static const double FAR = 32, USUAL = 3.5; /* in units of the polynomial */
-static const int FARTHER = 2;              /* larger boxes, each FAR times as large */
+static const int FARTHER = 2;              /* larger boxes, each FAR times as large, */
+static const int FLAT_DEGREE = 12;         /* for surfaces up to this degree: it takes time */
 static const double NEARLY = 0.95;         /* of the way to the end: what gets there may go on */
-static const double ROOM = 1.35;           /* about singular points, in half edges of their box */
+static const double ROOM = 1.35;           /* about singular points, in half edges of their box, */
+static const double ALONE = 3;             /* and as far as nothing else may be beside what holds them */
+static const double SMALL = 0.01;          /* of a unit: it may be a point */
+enum { LATTICE = 8 };                      /* rays a side: do they meet it? */
 static const double PRECISION = 1.0 / 16;  /* of a box that a proof finds: a sixteenth of its edges */
 static const double LEAST_UNIT = 1e-140, MOST_UNIT = 1e140; /* squares are in range */
 
@@ -109,6 +114,26 @@ double fit_half_edge(const fit_box *b, double middle[3]) {
     return half;
 }
 
+/* Is it so small that no ray meets it?  Rays of a lattice, from where an eye usually is.  (Rounded
+ * coefficients may have made a point of what is none.) */
+static int is_point(const algsurf_surface *surface, const algsurf_extent *ball, algsurf_status *failed) {
+    static const double along[3] = {-0.55, 0.71, -0.43},
+                        across[2][3] = {{0.79, 0.61, 0}, {-0.26, 0.34, 0.90}};
+    if (algsurf_surface_rounding(surface) > 0) return 0;
+    for (int i = 0; i < LATTICE * LATTICE && *failed == ALGSURF_OK; i++) {
+        const double u = 2.0 * (i % LATTICE) / (LATTICE - 1) - 1, v = 2.0 * (i / LATTICE) / (LATTICE - 1) - 1;
+        algsurf_ray ray = {.t_min = -INFINITY, .t_max = INFINITY};
+        algsurf_hit hit = {.state = ALGSURF_STATE_MISS};
+        for (int k = 0; k < 3; k++) {
+            ray.origin[k] = ball->centre[k] + ball->size[0] * (u * across[0][k] + v * across[1][k]);
+            ray.direction[k] = along[k];
+        }
+        fit_demand(failed, algsurf_intersect_first(surface, ball, &ray, NULL, &hit));
+        if (hit.state == ALGSURF_STATE_HIT) return 0;
+    }
+    return 1;
+}
+
 static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *extent,
                          algsurf_status *failed) {
     fit_box b = {.empty = 0};
@@ -116,12 +141,26 @@ static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *e
     return b.empty;
 }
 
+/* Is all that there is about the singular points a part by itself? */
+static int is_apart(const algsurf_surface *surface, const double middle[3], double half, fit_box *part,
+                    algsurf_status *failed) {
+    const double size = ALONE * half;
+    const algsurf_extent about = {ALGSURF_EXTENT_BOX, {middle[0], middle[1], middle[2]}, {size, size, size}};
+    *part = fit_enclose(surface, &about, ALGSURF_PART_ALL, failed);
+    for (int i = 0; i < 3; i++)
+        if (part->lo[i] < middle[i] - NEARLY * size || part->hi[i] > middle[i] + NEARLY * size) return 0;
+    return !part->empty;
+}
+
 static algsurf_extent unbounded_extent(const algsurf_surface *surface, double unit, algsurf_status *failed) {
     algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
     double radius = USUAL * unit, middle[3];
     const fit_box singular = enclose(surface, FAR * unit, ALGSURF_PART_SINGULAR, failed);
     if (ends_within(&singular, FAR * unit)) {
-        double half = fit_half_edge(&singular, middle);
+        const double half = fit_half_edge(&singular, middle);
+        fit_box part;
+        if (half > FIT_POINT * unit && is_apart(surface, middle, half, &part, failed))
+            return ball_about(&part);
         radius = fmax(radius, ROOM * half);
         for (int i = 0; i < 3; i++)
             if (fabs(middle[i]) > 0.1 * radius) ball.centre[i] = fit_rounded_place(middle[i], radius);
@@ -134,7 +173,8 @@ static algsurf_extent unbounded_extent(const algsurf_surface *surface, double un
 algsurf_extent fit_extent(const algsurf_surface *surface, int *bounded, algsurf_status *failed) {
     double unit = unit_of(surface, failed), half = FAR * unit;
     fit_box all = enclose(surface, half, ALGSURF_PART_ALL, failed);
-    for (int k = 0; k < FARTHER && !ends_within(&all, half); k++) {
+    const int farther = algsurf_surface_degree(surface) <= FLAT_DEGREE ? FARTHER : 0;
+    for (int k = 0; k < farther && !ends_within(&all, half); k++) {
         half *= FAR;
         all = enclose(surface, half, ALGSURF_PART_ALL, failed);
     }
@@ -142,8 +182,10 @@ algsurf_extent fit_extent(const algsurf_surface *surface, int *bounded, algsurf_
     if (all.empty)
         return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {fit_rounded_up(FAR * unit), 0, 0}};
     if (!*bounded) return unbounded_extent(surface, unit, failed);
-    double middle[3], point = fit_half_edge(&all, middle);
-    for (int i = 0; i < 3 && point < FIT_POINT * unit; i++) {
+    double middle[3], size = fit_half_edge(&all, middle);
+    algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {middle[0], middle[1], middle[2]}, {2 * size, 0, 0}};
+    const int alone = size < FIT_POINT * unit || (size < SMALL * unit && is_point(surface, &ball, failed));
+    for (int i = 0; i < 3 && alone; i++) {
         all.lo[i] = middle[i] - unit;
         all.hi[i] = middle[i] + unit;
     }

@@ -42,6 +42,7 @@
 #define ENOUGH 0.9            /* of a box's width: a round that leaves more has not helped much */
 #define MOST_WORK 0x1p27      /* multiplications of all searches, about, */
 #define SHARE 0.125           /* of which one face may take so much of what is left */
+#define MOST_SHIFTED 16       /* degree: beyond it a cell's terms do alone */
 #define CELL_ITSELF 512       /* multiplications in the time that a cell takes, whatever the degree */
 #define FINEST 0.25           /* of the precision: a cell's size when coarser rounds no longer help */
 #define OUTSIDE (1 + 0x1p-40) /* of a radius: rounding of a distance */
@@ -57,11 +58,12 @@ typedef struct search {
     algsurf_part part;
     int is_sphere;
     double centre[3], radius;
-    double *given, *shifted; /* coefficients: x^i y^j z^k at place(k, j) + i */
-    double share;            /* bound: rounding of a range in P~ */
-    double left;             /* cells that may still be looked at */
-    int axis, sign;          /* of the face that is looked for */
-    cell *heap;              /* those that reach out farthest that way first */
+    double *given, *shifted;   /* coefficients: x^i y^j z^k at place(k, j) + i */
+    double share;              /* bound: rounding of a range in P~ */
+    double left;               /* work that may still be done */
+    double by_terms, by_shift; /* work for a cell */
+    int axis, sign;            /* of the face that is looked for */
+    cell *heap;                /* those that reach out farthest that way first */
     int count, room;
 } search;
 
@@ -112,6 +114,58 @@ typedef struct range {
     double low, high;
 } range;
 
+/* ---- term by term ---- */
+
+static range between(double a, double b) { return a < b ? (range){a, b} : (range){b, a}; }
+
+static range product(range a, range b) {
+    const range l = between(a.low * b.low, a.low * b.high), h = between(a.high * b.low, a.high * b.high);
+    return (range){l.low < h.low ? l.low : h.low, l.high > h.high ? l.high : h.high};
+}
+
+/* t^k for lo <= t <= hi, k = 0 .. n. */
+static void set_powers(double lo, double hi, int n, range *power) {
+    const double least = lo > 0 ? lo : hi < 0 ? -hi : 0, most = fmax(-lo, hi);
+    double low = 1, high = 1, from = 1, to = 1;
+    for (int k = 0; k <= n; k++) {
+        power[k] = k % 2 ? (range){from, to} : (range){low, high};
+        low *= least, high *= most, from *= lo, to *= hi;
+    }
+}
+
+/* P over a cell, or its derivative by coordinate d of 0 to 2: each term by itself. */
+static range sum_of_ranges(const algsurf_surface *s, range power[3][ALGSURF_MAX_DEGREE + 1], int d) {
+    const int dx = d == 0, dy = d == 1, dz = d == 2;
+    range sum = {0, 0};
+    for (int k = dz; k < s->level_count; k++)
+        for (int j = dy; j < s->levels[k].count; j++) {
+            const algsurf_row *row = s->rows + s->levels[k].first + j;
+            const range beside = product(power[1][j - dy], power[2][k - dz]);
+            for (int i = dx; i < row->length; i++) {
+                const double a = s->coef[row->first + (size_t)i] * (dx ? i : dy ? j : dz ? k : 1);
+                if (a == 0) continue;
+                const range term = product(beside, power[0][i - dx]);
+                sum.low += a * (a > 0 ? term.low : term.high);
+                sum.high += a * (a > 0 ? term.high : term.low);
+            }
+        }
+    return sum;
+}
+
+/* Does a sum of ranges show that the cell holds no point?  Derivatives times the size of their coordinate. */
+static int is_empty_by_terms(const search *s, const cell *c, const double reach[3], double error) {
+    range power[3][ALGSURF_MAX_DEGREE + 1];
+    for (int i = 0; i < 3; i++) set_powers(c->lo[i], c->hi[i], s->degree, power[i]);
+    for (int d = -1; d < (s->part == ALGSURF_PART_SINGULAR ? 3 : 0); d++) {
+        const range of = sum_of_ranges(s->surface, power, d);
+        const double size = d < 0 ? 1 : reach[d], off = d < 0 ? error : error * s->degree;
+        if (size * of.low > off || size * of.high < -off) return 1;
+    }
+    return 0;
+}
+
+/* ---- about the middle ---- */
+
 static void add_term(range *r, double a, int i, int j, int k) {
     int even = !((i | j | k) & 1), constant = (i | j | k) == 0;
     r->low += constant || !even || a < 0 ? (even ? a : -fabs(a)) : 0;
@@ -158,7 +212,7 @@ static double middle_of(const cell *c, int i) {
 static int is_empty(search *s, const cell *c) {
     double middle[3], half[3], reach[3], largest = 1, lost = 0x1p-960;
     range of[4];
-    s->left--;
+    s->left -= s->by_terms;
     if (s->is_sphere && beside_sphere(s, c)) return 1;
     for (int i = 0; i < 3; i++) {
         middle[i] = middle_of(c, i);
@@ -168,9 +222,12 @@ static int is_empty(search *s, const cell *c) {
     }
     for (int i = 0; i < s->degree; i++) lost *= largest;
     if (!(lost < 0x1p-60)) return 0;
+    double error = s->share * algsurf_i_surface_magnitude(s->surface, reach) + lost;
+    if (is_empty_by_terms(s, c, reach, error)) return 1;
+    if (s->degree > MOST_SHIFTED) return 0;
+    s->left -= s->by_shift;
     shift_all(s, middle);
     find_ranges(s, half, of);
-    double error = s->share * algsurf_i_surface_magnitude(s->surface, reach) + lost;
     for (int d = 0; d < (s->part == ALGSURF_PART_SINGULAR ? 4 : 1); d++) {
         if (of[d].low > error || of[d].high < -error) return 1;
         error = d == 0 ? error * fmax(1, s->degree) : error;
@@ -288,7 +345,9 @@ static void set_polynomial(search *s) {
     double n = s->degree, places = (n + 1) * (n + 2) * (n + 3) / 6;
     spread(s->surface, s->given);
     s->share = (16 * n + 2 * places + 32) * ALGSURF_U + s->surface->error;
-    s->left = MOST_WORK / (3 * places * (n + 1) + CELL_ITSELF);
+    s->left = MOST_WORK;
+    s->by_terms = CELL_ITSELF + 16 * n + (n > MOST_SHIFTED ? 64 : 16) * (double)s->surface->term_count;
+    s->by_shift = 3 * places * (n + 1);
 }
 
 static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
