@@ -11,6 +11,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "ticks.h"
+
 static const double MARGIN = 0.04; /* of the axis, free on both sides of the data */
 static const double LEAST = 1e-12; /* of the largest value: smaller ones get no decades of a symmetric axis */
 
@@ -161,18 +163,9 @@ static plot_tick *add(tick_list *list, double value) {
     return t;
 }
 
-/* The least of 1, 2, 5 times a power of ten that is not below the value. */
-static double round_up(double value) {
-    static const double steps[] = {1, 2, 5, 10};
-    double unit = power_below(value);
-    int i = 0;
-    while (i < 3 && steps[i] * unit < value * (1 - 1e-9)) i++;
-    return steps[i] * unit;
-}
-
 static void linear_ticks(tick_list *list, int most) {
     const plot_ruler *r = list->ruler;
-    double step = round_up((r->hi - r->lo) / most), largest = fmax(fabs(r->lo), fabs(r->hi));
+    double step = ticks_size(ticks_step((r->hi - r->lo) / most)), largest = fmax(fabs(r->lo), fabs(r->hi));
     for (double k = ceil(r->lo / step - 1e-9); k * step <= r->hi + 1e-9 * step; k++) {
         plot_tick *t = add(list, k * step);
         if (!t) break;

@@ -11,6 +11,7 @@
 #include "output.h"
 #include "png.h"
 #include "progress.h"
+#include "render_axes.h"
 #include "render_heatmap.h"
 #include "render_join.h"
 #include "render_options.h"
@@ -196,7 +197,7 @@ static void write_picture(output_set *set, const char *path, const run *r, const
                           options->row_end,
                           render_job_digest(options, r->surface, extent, camera, space),
                           render_pixels_digest(r->pixels, 3 * count),
-                          r->hits ? render_hits_digest(r->hits, count) : 0};
+                          options->hits ? render_hits_digest(r->hits, count) : 0};
     output_ppm(set, path, render_slice_write(&slice).text, options->view.width, r->rows, r->pixels);
 }
 
@@ -294,6 +295,7 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (stats) write_stats(&set, stats, r, &counted);
     if (hits) output_hits(&set, hits, r->hits, (size_t)options->view.width * (size_t)r->rows);
     if (heatmap) write_heatmap(&set, heatmap, r, &shown->extent, &camera);
+    render_axes(options, r->surface, shown, &camera, r->rows, r->pixels, r->hits);
     write_picture(&set, output, r, &shown->extent, &camera, options->space.is_complex ? &space : NULL);
     output_commit(&set);
     free(output);
@@ -364,15 +366,17 @@ static void draw(const render_options *options) {
     check_surfaces(&r, first, end);
     view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
     if (!given->name) choose_view(&r, &shown);
+    render_make_room(options, &shown);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     if (given->equation && !given->rounded && !options->space.is_complex)
         render_tell_of_rounding(r.surface, &shown);
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
     r.pixels = malloc((options->look.transparent ? 4 : 3) * count);
-    if (options->hits) r.hits = malloc(count * sizeof *r.hits);
+    int with_hits = options->hits || render_has_axes(options);
+    if (with_hits) r.hits = malloc(count * sizeof *r.hits);
     if (options->heatmap) r.ways = malloc(count);
-    if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
+    if (!r.pixels || (with_hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
     progress_begin(&r.bar, options->progress, end - first);
     FILE *film = options->a_second > 0 ? begin_film(&r, end - first) : NULL;
     for (int i = first; i < end; i++) draw_picture(&r, &shown, i);

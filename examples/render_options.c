@@ -152,6 +152,15 @@ static const cli_option options_table[] = {
      "needles.  They are drawn a pixel wide, up to degree 24: by default in the\n"
      "surface's colour; with none they are left out.  An aid to the eye: not proved",
      set_thin, 0, 0, 0},
+    {"--axes", NULL,
+     "draws the axes x, y and z through 0,0,0, with numbers, as far as --extent goes;\n"
+     "what is behind the surface is hidden.  In complex space nothing is",
+     cli_set_flag, FIELD(axes)},
+    {"--box", NULL,
+     "draws a box about --extent, with numbers along its edges.  All is shown so much\n"
+     "smaller that the box is seen, unless --eye, --fov, --zoom or --orthographic\n"
+     "is given",
+     cli_set_flag, FIELD(box)},
     CLI_HEADING("Animations"),
     {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
      "draws N pictures, NAME-0001.png and so on.  turn: the camera goes once around the\n"

@@ -29,6 +29,7 @@ typedef struct render_options {
     int frame;              /* of the sweep, from 1; 0: all */
     int a_second;           /* pictures of the sweep, in one animated file; 0: a file for each */
     render_look look;
+    int axes, box; /* 1: drawn */
     render_space space;
     render_sweep sweep;
     progress_mode progress;

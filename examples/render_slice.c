@@ -94,9 +94,16 @@ uint64_t render_job_digest(const render_options *options, const algsurf_surface 
                            const algsurf_complex_space *space) {
     const cli_surface *given = &options->surface;
     const algsurf_intersect_options *intersect = &options->intersect;
-    const double settings[] = {
-        given->rounded, (double)options->quality, options->antialias,        options->antialias_threshold,
-        options->thin,  (double)intersect->tier,  (double)intersect->method, intersect->absolute_tolerance};
+    const double settings[] = {given->rounded,
+                               (double)options->quality,
+                               options->antialias,
+                               options->antialias_threshold,
+                               options->axes,
+                               options->box,
+                               options->thin,
+                               (double)intersect->tier,
+                               (double)intersect->method,
+                               intersect->absolute_tolerance};
     uint64_t digest = add_text(start, algsurf_version());
     digest = add_text(digest, given->name ? given->name : given->equation ? given->equation : "");
     digest = add_surface(digest, surface);
