@@ -14,17 +14,7 @@ enum { LEAST_LETTER = 7, LETTERS = 40 };
 
 static const char *const axis_names[] = {"x", "y", "z"};
 
-double axes_letter(int width, int height) {
-    int side = width < height ? width : height;
-    return fmax(LEAST_LETTER, (double)side / LETTERS);
-}
-
-const uint8_t *axes_colour(const uint8_t background[3]) {
-    static const uint8_t dark[3] = {0x40, 0x40, 0x40}, light[3] = {0xc8, 0xc8, 0xc8},
-                         any[3] = {0x80, 0x80, 0x80};
-    if (!background) return any;
-    return 3 * background[0] + 6 * background[1] + background[2] > 10 * 0x70 ? dark : light;
-}
+double axes_letter(double width, double height) { return fmax(LEAST_LETTER, fmin(width, height) / LETTERS); }
 
 /* ---- the box ---- */
 
@@ -155,7 +145,15 @@ static void draw_axes(axes_drawing *d) {
 
 /* ---- all ---- */
 
-int axes_draw(const axes_scene *scene, int row_begin, int row_end, const uint8_t colour[3], uint8_t *pixels,
+/* Without a background it may be light or dark. */
+static void paint(const strokes *s, const uint8_t *background, uint8_t *pixels, int bytes) {
+    static const uint8_t dark[3] = {0x38, 0x38, 0x38}, light[3] = {0xc8, 0xc8, 0xc8},
+                         any[3] = {0x78, 0x78, 0x78};
+    const uint8_t *b = background, *ink = b && 3 * b[0] + 6 * b[1] + b[2] < 10 * 0x70 ? light : dark;
+    strokes_paint(s, b ? ink : any, ink, pixels, bytes);
+}
+
+int axes_draw(const axes_scene *scene, int row_begin, int row_end, const uint8_t *background, uint8_t *pixels,
               int bytes, const double *t) {
     axes_drawing d = axes_begin(scene);
     const algsurf_camera *c = &scene->camera;
@@ -169,7 +167,7 @@ int axes_draw(const axes_scene *scene, int row_begin, int row_end, const uint8_t
     if (!d.s.cover) return 0;
     if (scene->what & AXES_BOX) draw_box(&d);
     if (scene->what & AXES_LINES) draw_axes(&d);
-    strokes_paint(&d.s, colour, pixels, bytes);
+    paint(&d.s, background, pixels, bytes);
     free(d.s.cover);
     return 1;
 }

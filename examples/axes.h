@@ -20,7 +20,7 @@ typedef struct axes_scene {
 } axes_scene;
 
 /* The usual height of digits: a part of the picture's smaller side, at least 7 pixels. */
-double axes_letter(int width, int height);
+double axes_letter(double width, double height);
 
 /* How much a picture must be magnified, 0.01 to 1, so that the box and its numbers are in it; the camera
  * stays where it is.  1, too, where the eye is in the box. */
@@ -28,14 +28,11 @@ double axes_zoom(const axes_scene *scene);
 
 /* Draws over rows row_begin .. row_end-1 of a picture, of which pixels and t are; rows that are drawn one by
  * one are those of the whole picture.
- *   colour  sRGB
- *   pixels  bytes each: 3, or 4 with alpha, as algsurf_picture has them
- *   t       its distances: what is behind them is hidden; null: nothing is
+ *   background  sRGB, for a grey that reads on it; null: there is none
+ *   pixels      bytes each: 3, or 4 with alpha, as algsurf_picture has them
+ *   t           its distances: what is behind them is hidden; null: nothing is
  * Returns 0 when memory is short, and then has drawn nothing. */
-int axes_draw(const axes_scene *scene, int row_begin, int row_end, const uint8_t colour[3], uint8_t *pixels,
+int axes_draw(const axes_scene *scene, int row_begin, int row_end, const uint8_t *background, uint8_t *pixels,
               int bytes, const double *t);
-
-/* A grey that reads on this background; null: there is none, and it may be light or dark. */
-const uint8_t *axes_colour(const uint8_t background[3]);
 
 #endif

@@ -85,14 +85,14 @@ static int is_free(const axes_drawing *d, const axes_text *p) {
 static int is_hidden(const axes_drawing *d, const stroke_point *p) {
     const axes_scene *scene = d->scene;
     algsurf_ray ray;
-    int state;
+    algsurf_hit hit;
     if (!d->s.t ||
         algsurf_camera_ray(&scene->camera, scene->width, scene->height, p->x, p->y, &ray) != ALGSURF_OK)
         return 0;
     ray.t_max = p->depth / axes_dot(ray.direction, scene->camera.forward) - TICK_BIAS * d->letter * d->beyond;
     return ray.t_max > 0 &&
-           algsurf_occluded(scene->surface, &scene->extent, &ray, scene->options, &state) >= 0 &&
-           state == ALGSURF_STATE_HIT;
+           algsurf_intersect_first(scene->surface, &scene->extent, &ray, scene->options, &hit) >= 0 &&
+           hit.state == ALGSURF_STATE_HIT;
 }
 
 double axes_write(axes_drawing *d, stroke_point p, const double direction[2], double distance,
@@ -103,7 +103,8 @@ double axes_write(axes_drawing *d, stroke_point p, const double direction[2], do
     const axes_text here = {middle.x, middle.y, (width + height / 3) / 2, 2 * height / 3};
     if (!is_free(d, &here)) return distance;
     d->taken[d->texts++] = here;
-    if (here.y + here.down < d->s.row_begin || here.y - here.down > d->s.row_end || is_hidden(d, &p))
+    if (middle.y + 1.5 * height < d->s.row_begin || middle.y - 1.5 * height > d->s.row_end ||
+        is_hidden(d, &p))
         return distance + 2 * half;
     strokes letters = d->s;
     letters.t = NULL;
@@ -118,6 +119,8 @@ double axes_put_ticks(axes_drawing *d, const axes_edge *e, const double directio
     double count = fmin(MOST_TICKS, hypot(b.x - a.x, b.y - a.y) / (SPARSE * d->letter));
     if (!(hi > lo) || count < 1) return 0;
     tick_step step = ticks_step((hi - lo) / count);
+    if (floor(hi / ticks_size(step)) <= ceil(lo / ticks_size(step))) /* one number does not tell a size */
+        step = ticks_step(0.4 * ticks_size(step));
     double size = ticks_size(step), first = ceil(lo / size - 1e-9), last = floor(hi / size + 1e-9);
     if (!(fabs(first) < 1e9 && fabs(last) < 1e9)) return 0; /* of a small box far from the origin */
     memcpy(place, e->from, sizeof place);

@@ -45,7 +45,7 @@ void render_axes(const render_options *options, const algsurf_surface *surface, 
     scene.options = &how;
     if (!render_has_axes(options)) return;
     if (!axes_draw(&scene, options->row_begin, options->row_begin + rows,
-                   axes_colour(look->transparent ? NULL : background), pixels, look->transparent ? 4 : 3,
+                   look->transparent ? NULL : background, pixels, look->transparent ? 4 : 3,
                    options->space.is_complex ? NULL : hits))
         cli_no_memory();
 }

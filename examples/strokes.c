@@ -132,14 +132,17 @@ void strokes_text(const strokes *s, stroke_point middle, double height, const ch
 
 /* ---- colour ---- */
 
-void strokes_paint(const strokes *s, const uint8_t colour[3], uint8_t *pixels, int bytes) {
+void strokes_paint(const strokes *s, const uint8_t bare[3], const uint8_t over[3], uint8_t *pixels,
+                   int bytes) {
     size_t count = (size_t)s->width * (size_t)(s->row_end - s->row_begin);
     for (size_t i = 0; i < count; i++, pixels += bytes) {
         if (s->cover[i] == 0) continue;
-        double share = s->cover[i] / 255.0, below = (1 - share) * (bytes == 4 ? pixels[3] / 255.0 : 1);
-        double alpha = share + below;
-        for (int k = 0; k < 3; k++)
-            pixels[k] = (uint8_t)((share * colour[k] + below * pixels[k]) / alpha + 0.5);
+        double share = s->cover[i] / 255.0, opaque = bytes == 4 ? pixels[3] / 255.0 : 1;
+        double below = (1 - share) * opaque, alpha = share + below;
+        for (int k = 0; k < 3; k++) {
+            double ink = (1 - opaque) * bare[k] + opaque * over[k];
+            pixels[k] = (uint8_t)((share * ink + below * pixels[k]) / alpha + 0.5);
+        }
         if (bytes == 4) pixels[3] = (uint8_t)(255 * alpha + 0.5);
     }
 }

@@ -28,7 +28,9 @@ void strokes_text(const strokes *s, stroke_point middle, double height, const ch
 
 double strokes_text_width(double height, const char *text);
 
-/* Lays the colour over rows of pixels of 3 (red, green, blue) or 4 bytes (and alpha, which grows). */
-void strokes_paint(const strokes *s, const uint8_t colour[3], uint8_t *pixels, int bytes);
+/* Lays a colour over rows of pixels of 3 (red, green, blue) or 4 bytes (and alpha, which grows): `bare` where
+ * a pixel is transparent, `over` where it is not, and what is between them. */
+void strokes_paint(const strokes *s, const uint8_t bare[3], const uint8_t over[3], uint8_t *pixels,
+                   int bytes);
 
 #endif

@@ -66,6 +66,16 @@ const states = {
     "one colour": { ...usual, equation: "z = x y", colours: { outside: "#ffb000", inside: null, background: null } },
     "degree 9": { ...usual, equation: "x^9 + y^9 + z^9 = x^2 + y^2 + z^2" },
     "degree 16": { ...usual, equation: "x^16 + y^16 + z^16 = 1", camera: { ...usual.camera, up: [0.1, 0.2, 1] } },
+    axes: { ...tangle, axes: true },
+    "a box of one's own, in another colour": {
+        ...tangle,
+        extent: { kind: "box", size: [1.9, 2.5, 1], centre: [0.25, 0, -0.5] },
+        clip: [[0, -1, 0, 0.7]],
+        colours: { outside: null, inside: null, background: "#102030" },
+        axes: true,
+        box: true,
+    },
+    "axes in complex space": { ...tangle, axes: true, complex: { sigma: 0.1, delta: 0.25, imaginary: {} } },
     "one plane": { ...tangle, clip: [[0, 0, 1, 0.5]] },
     "three planes": { ...tangle, clip: [[1, 0.3, 0, 1.1], [-2, 5, 1, 4], [0, 0, -1e-3, 1.5e-3]] },
     "complex space, cut": { ...tangle, clip: [[0, -1, 0, 0.7]], complex: { sigma: 0.1, delta: 0.25, imaginary: {} } },
@@ -73,7 +83,7 @@ const states = {
     imaginary: { ...usual, complex: { sigma: 0, delta: 0.4, imaginary: { 0: 0.5, 2: -0.125 } } },
 };
 
-function optionsOf({ equation, parameters, extent, clip, camera, colours, light, thin, complex }) {
+function optionsOf({ equation, parameters, extent, clip, camera, colours, light, thin, complex, axes, box }) {
     const list = (numbers) => numbers.join(",");
     const options = ["--equation", equation, "--centre", list(extent.centre)];
     for (const [name, { value }] of Object.entries(parameters))
@@ -87,6 +97,8 @@ function optionsOf({ equation, parameters, extent, clip, camera, colours, light,
     if (colours.background) options.push("--background", colours.background);
     if (light) options.push("--light", `${light.azimuth}:${light.elevation}`);
     if (thin === false) options.push("--thin", "none");
+    if (axes) options.push("--axes");
+    if (box) options.push("--box");
     if (complex) {
         options.push("--sigma", String(complex.sigma), "--delta", String(complex.delta));
         for (const [k, value] of Object.entries(complex.imaginary)) options.push("--imag", `${k}=${value}`);

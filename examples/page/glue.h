@@ -7,7 +7,7 @@
  * Each returns an algsurf_status or, where it says so, a count, which is then negative in its place.
  *
  * They are compiled for WebAssembly together with the library, ../npm/glue.c and the programs' own fit.c,
- * view.c and render_look.c, so that a state means here what the options mean there.
+ * view.c, axes.c and render_look.c, so that a state means here what the options mean there.
  */
 #ifndef PAGE_GLUE_H
 #define PAGE_GLUE_H

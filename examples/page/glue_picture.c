@@ -2,6 +2,7 @@
  */
 #include <stdint.h>
 
+#include "axes.h"
 #include "fit.h"
 #include "glue.h"
 #include "render_look.h"
@@ -97,6 +98,45 @@ int page_render(const algsurf_scene *scene, int width, int height, int row_begin
     counts[2] = (double)stats.undecided;
     counts[3] = (double)stats.exact_rays;
     counts[4] = (double)stats.thin;
+    return status;
+}
+
+/* ---- axes ---- */
+
+/* what: of AXES_LINES, AXES_BOX. */
+static algsurf_status axes_of(const page_state *state, int what, int width, int height, axes_scene *scene) {
+    *scene = (axes_scene){.what = what, .extent = extent_of(state), .width = width, .height = height};
+    return camera_of(state, &scene->camera);
+}
+
+/* Draws axes and box over rows of a picture.
+ *   factor  so much larger it is shown, and smaller are letters
+ *   t       its distances */
+EXPORTED(page_axes)
+int page_axes(const algsurf_surface *surface, const page_state *state, int what, int width, int height,
+              int row_begin, int row_end, double factor, uint8_t *rgba, const double *t) {
+    static const uint8_t white[3] = {255, 255, 255};
+    const css_colour given = colour_from(state->background);
+    const uint8_t *background = given.given ? given.srgb : state->background == TRANSPARENT ? NULL : white;
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const algsurf_intersect_options options = {
+        .size = sizeof options, .planes = planes, .plane_count = planes_of(state, planes)};
+    axes_scene scene;
+    algsurf_status status = axes_of(state, what, width, height, &scene);
+    if (status != ALGSURF_OK) return status;
+    scene.letter = axes_letter(factor * width, factor * height) / factor;
+    scene.surface = surface;
+    scene.options = &options;
+    int drawn =
+        axes_draw(&scene, row_begin, row_end, background, rgba, 4, state->complex_given != 0 ? NULL : t);
+    return drawn ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
+}
+
+/* How much the picture must be magnified, at most 1, so that the box is in it. */
+EXPORTED(page_room) int page_room(const page_state *state, int width, int height, double *zoom) {
+    axes_scene scene;
+    algsurf_status status = axes_of(state, AXES_BOX, width, height, &scene);
+    if (status == ALGSURF_OK) *zoom = axes_zoom(&scene);
     return status;
 }
 

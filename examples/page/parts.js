@@ -70,7 +70,8 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
     const reset = () => store.set({ camera: shown.home });
     narrow.addEventListener("change", placeSliders);
     placeSliders();
-    mountView(at("view"), { ...services, motion, fit: (what) => shown.fit(what), reset });
+    const fit = (what) => shown.fit(what), showBox = (box) => shown.showBox(box);
+    mountView(at("view"), { ...services, motion, fit, showBox, reset });
     mountWaiting(at("waiting"), { ...services, stage: at("stage") });
     mountNothing(at("nothing"), { ...services, fit: (what) => shown.fit(what) });
     mountLook(at("look"), services);

@@ -21,6 +21,8 @@ const LINKS = {
     "what is thin": "#v1&equation=x^2*z%2By^2*z=x^2*y*0.5&extent=sphere:1.5&eye=4,-5,2&look-at=0,0,0&up=0,0,1&fov=25",
     "complex space": "#v1&equation=x^4-5x^2%2By^4-5y^2%2Bz^4-5z^2%2B11.8=0&extent=sphere:4&eye=12,-9,7&look-at=0,0,0&up=0,0,1" +
         "&fov=25&sigma=0&delta=0.2&imag=0:0.5",
+    "axes and a box": "#v1&equation=x^4-5x^2%2By^4-5y^2%2Bz^4-5z^2%2B11.8=0&extent=sphere:3.7&eye=12,-19,12&look-at=0,0,0" +
+        "&up=0,0,1&fov=25&background=white&axes=yes&box=yes",
     "two cutting planes": "#v1&equation=x^4-5x^2%2By^4-5y^2%2Bz^4-5z^2%2B11.8=0&extent=sphere:4&eye=12,-9,7&look-at=0,0,0" +
         "&up=0,0,1&fov=25&clip=0.75,-0.55,0.4,0.3&clip=0,0,1,1.5",
 };

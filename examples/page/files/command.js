@@ -56,6 +56,7 @@ export function commandWords(state, { width, height, quality = "standard", antia
     if (state.light) words.push("--light", `${state.light.azimuth}:${state.light.elevation}`);
     if (state.thin !== null && !(state.thin && state.complex))
         words.push("--thin", state.thin ? state.colours.outside : "none");
+    for (const name of ["axes", "box"]) if (state[name]) words.push(`--${name}`);
     if (state.complex) words.push(...complexWords(state.complex));
     words.push("--size", `${width}x${height}`, "--antialias", String(antialias));
     if (quality !== "standard" && !state.complex) words.push("--quality", quality);

@@ -17,14 +17,23 @@ export function showAbout(room, state, text) {
     fill(room, ...degree, element("p", {}, words));
 }
 
-/** One sentence: name, degree, how much of the picture the surface fills, what is proved. */
+/** The ball or the box that is shown. */
+function extentOf({ extent }, text) {
+    const told = (x) => String(Number(x.toPrecision(6)));
+    const list = (numbers) => `(${numbers.map(told).join(", ")})`;
+    const { kind, size, centre } = extent, words = { centre: list(centre) };
+    if (kind === "box") return text("seen.box", { ...words, size: list(size) });
+    return text("seen.sphere", { ...words, radius: told(size[0]) });
+}
+
+/** Sentences: name, degree, how much of the picture the surface fills, what is shown of space. */
 export function sentenceOf(state, text) {
     const { picture } = state;
     const name = titleOf(state, text);
     if (!picture) return name;
-    const share = picture.hits / Math.max(1, picture.rays ?? picture.pixels);
-    if (share < SEEN) return text("seen.nothing", { name, degree: picture.degree });
+    const share = picture.hits / Math.max(1, picture.rays ?? picture.pixels), extent = extentOf(state, text);
+    if (share < SEEN) return `${text("seen.nothing", { name, degree: picture.degree })} ${extent}`;
     const percent = Math.round(100 * share);
     const complex = state.complex ? ` ${text("seen.complex")}` : "";
-    return `${text("seen.surface", { name, degree: picture.degree, percent })}${complex}`;
+    return `${text("seen.surface", { name, degree: picture.degree, percent })} ${extent}${complex}`;
 }

@@ -1,4 +1,4 @@
-// view.js - the panel "view": extent, cutting plane, thin features, fitting.
+// view.js - the panel "view": extent, axes, cutting plane, thin features, fitting.
 import { clipRows } from "./clip.js";
 import { button, choice, numberField, row, slider } from "../base/controls.js";
 import { element } from "../base/dom.js";
@@ -7,9 +7,9 @@ import { radiusOf } from "../state/state.js";
 const DECADES = 2; // of the radius, around the one that was fitted
 const THIN_DEGREE = 24; // above it the library draws nothing that is thin
 
-/** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera, reset
- * } */
-export function mount(room, { store, text, motion, fit, reset }) {
+/** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera,
+ * showBox(box), reset } */
+export function mount(room, { store, text, motion, fit, showBox, reset }) {
     const extent = () => store.get().extent;
     const set = (partial, moving = false) => store.set({ extent: { ...extent(), ...partial } }, { moving });
     let base = radiusOf(extent());
@@ -63,11 +63,16 @@ export function mount(room, { store, text, motion, fit, reset }) {
         (value) => store.set({ thin: value === "usual" ? null : value === "yes" }),
     );
 
+    const tick = (change) => element("input", { type: "checkbox", change: () => change() });
+    const box = tick(() => showBox(box.checked)), axes = tick(() => store.set({ axes: axes.checked }));
+
     room.append(
         row(text("view.extent"), kind),
         row(text("view.radius"), radius.range, radius.output),
         edgeRow,
         trio(text("view.centre"), centre),
+        row(text("view.box"), box),
+        row(text("view.axes"), axes),
         ...clipRows({ store, text, motion }),
         row(text("view.thin"), thin),
         element(
@@ -86,11 +91,13 @@ export function mount(room, { store, text, motion, fit, reset }) {
         edgeRow.hidden = state.extent.kind !== "box";
         if (state.extent.kind === "box") edges.forEach((field, i) => field.follow(state.extent.size[i]));
         centre.forEach((field, i) => field.follow(state.extent.centre[i]));
+        box.checked = state.box;
+        axes.checked = state.axes;
         thin.value = state.thin === null ? "usual" : state.thin ? "yes" : "no";
         thin.disabled = state.complex !== null || (state.picture?.degree ?? 0) > THIN_DEGREE;
     }
     follow(store.get());
     store.subscribe((state, { changed }) => {
-        if (["extent", "thin", "complex", "picture"].some((key) => changed.has(key))) follow(state);
+        if (["extent", "thin", "axes", "box", "complex", "picture"].some((key) => changed.has(key))) follow(state);
     });
 }

@@ -24,6 +24,7 @@ const TRANSPARENT = -2;
 const STATES = ["miss", "hit", "undecided", "thin"];
 const QUALITIES = { preview: 0, standard: 1, full: 2 };
 const METHODS = { default: 0, brent: 1, bisection: 2, "regula-falsi": 3 };
+const AXES = 1, BOX = 2; // of axes.h
 const ENGINES = ["none", "doubles", "integers"];
 
 /** What a call that cannot be answered throws; plain enough to be sent by postMessage. */
@@ -354,7 +355,19 @@ export class Engine {
         return this.#scene;
     }
 
-    /** Rows rowBegin .. rowEnd-1 of a picture; bounded: doubles alone decide. */
+    /** How much a picture must be magnified, at most 1, so that the box is in it. */
+    room(state, { width, height }) {
+        return this.#answer(() =>
+            this.#withState(state, 1, (numbers, zoom) => {
+                const sides = [side(width, "width"), side(height, "height")];
+                this.#checked(this.#module.wasm.page_room(numbers, ...sides, zoom));
+                return this.#module.doubles(zoom, 1)[0];
+            }),
+        );
+    }
+
+    /** Rows rowBegin .. rowEnd-1 of a picture; bounded: doubles alone decide; factor: it is shown so much
+     * larger. */
     render(state, options) {
         return this.#answer(() => {
             const {
@@ -365,7 +378,8 @@ export class Engine {
                 quality = "standard",
                 antialias = 1,
             } = options;
-            const { t = false, bounded = false } = options;
+            const { t = false, bounded = false, factor = 1 } = options;
+            const what = (state.axes ? AXES : 0) | (state.box ? BOX : 0), hasFar = t || what > 0;
             const pixels = side(width, "width") * (rowEnd - rowBegin);
             side(height, "height");
             if (!(rowBegin >= 0 && rowBegin < rowEnd && rowEnd <= height)) throw refused("rows");
@@ -376,11 +390,15 @@ export class Engine {
             this.#checked(wasm.algsurf_scene_set_quality(scene, QUALITIES[quality] ?? -1));
             this.#checked(wasm.algsurf_scene_set_antialias(scene, antialias));
             this.#checked(wasm.page_set_bounded(scene, bounded ? 1 : 0));
-            return module.borrow(8 * 5 + (t ? 8 * pixels : 0) + 4 * pixels, (counts) => {
-                const far = counts + 8 * 5, rgba = far + (t ? 8 * pixels : 0);
+            return module.borrow(8 * 5 + (hasFar ? 8 * pixels : 0) + 4 * pixels, (counts) => {
+                const far = counts + 8 * 5, rgba = far + (hasFar ? 8 * pixels : 0);
                 this.#checked(
-                    wasm.page_render(scene, width, height, rowBegin, rowEnd, rgba, t ? far : 0, counts),
+                    wasm.page_render(scene, width, height, rowBegin, rowEnd, rgba, hasFar ? far : 0, counts),
                 );
+                const { address: surface } = this.#surfaceOf(state);
+                const size = [width, height, rowBegin, rowEnd, number(factor, "factor", 1, MAX_SIDE)];
+                const draw = (numbers) => wasm.page_axes(surface, numbers, what, ...size, rgba, far);
+                if (what > 0) this.#checked(this.#withState(state, 0, draw));
                 const [rays, hits, undecided, exact, thin] = module.doubles(counts, 5);
                 const data = new Uint8ClampedArray(module.bytes(rgba, 4 * pixels));
                 const picture = {

@@ -26,7 +26,7 @@ const QUIET = 500; // milliseconds without another wish, before thumbnails go on
 const THUMBNAIL_TIME = 2000; // milliseconds for one of its bands, and for all of them; it is given up then
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
 const TOO_LONG = { code: "E_TIME", message: "it takes too long" };
-const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "thumbnail"];
+const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "room", "thumbnail"];
 
 /** What kinds of work go first. */
 const ORDER = { shown: 0, thumbnail: 1, image: 2, refined: 3 };
@@ -279,7 +279,7 @@ export class Painter {
 
     #send(worker, drawing) {
         const band = drawing.nextBand();
-        const { state, width, height, quality, antialias, bounded } = drawing;
+        const { state, width, height, quality, antialias, bounded, factor } = drawing;
         const options = {
             width,
             height,
@@ -288,6 +288,7 @@ export class Painter {
             quality,
             antialias,
             bounded,
+            factor,
         };
         const job = { kind: "band", args: [state, options], drawing, sent: performance.now() };
         const isThumbnail = drawing.order === ORDER.thumbnail;
@@ -373,7 +374,7 @@ export class Painter {
         const { extent, camera } = state;
         const whole = Array.isArray(extent?.size) && extent.size.length > 0 && Array.isArray(camera?.eye);
         const fitted = whole ? {} : await this.ask("fit", state, { width, height });
-        const shown = { ...state, extent: fitted.extent ?? extent, camera: fitted.camera ?? camera };
+        const shown = { ...state, axes: false, box: false, extent: fitted.extent ?? extent, camera: fitted.camera ?? camera };
         const look = { width, height, quality: "standard", antialias: 4 };
         return this.#picture(shown, look, ORDER.thumbnail);
     }

@@ -27,7 +27,7 @@ function done({ kind, args }) {
         const picture = engine.render(...args);
         return [picture, [picture.data.buffer]];
     }
-    if (!["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing"].includes(kind))
+    if (!["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "room"].includes(kind))
         throw new EngineError("E_ARGUMENT", `no such call: ${kind}`);
     return [engine[kind](...args), []];
 }

@@ -56,6 +56,8 @@ export function linkOf(state, home = null) {
     if (background !== "none") add("background", background === null ? "white" : background.slice(1));
     if (state.light) add("light", `${state.light.azimuth}:${state.light.elevation}`);
     if (state.thin !== null) add("thin", state.thin ? "yes" : "no");
+    if (state.axes) add("axes", "yes");
+    if (state.box) add("box", "yes");
     if (state.complex) {
         add("sigma", String(state.complex.sigma));
         add("delta", String(state.complex.delta));
@@ -66,6 +68,8 @@ export function linkOf(state, home = null) {
 }
 
 // ---- reading: each takes the value and what is read so far ----
+
+const yesOrNo = (value) => (value === "yes" ? true : value === "no" ? false : value);
 
 const READERS = {
     name: (value, raw) => (raw.name = value),
@@ -90,7 +94,9 @@ const READERS = {
         const [azimuth, elevation] = value.split(":").map(number);
         raw.light = { azimuth, elevation };
     },
-    thin: (value, raw) => (raw.thin = value === "yes" ? true : value === "no" ? false : value),
+    thin: (value, raw) => (raw.thin = yesOrNo(value)),
+    axes: (value, raw) => (raw.axes = yesOrNo(value)),
+    box: (value, raw) => (raw.box = yesOrNo(value)),
     sigma: (value, raw) =>
         (raw.complex = { delta: 1e-10, imaginary: {}, ...raw.complex, sigma: number(value) }),
     delta: (value, raw) => (raw.complex = { sigma: 0, imaginary: {}, ...raw.complex, delta: number(value) }),

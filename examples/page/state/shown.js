@@ -1,5 +1,5 @@
 // shown.js - the surface that is shown: opened, fitted, drawn, and where its camera was before it was moved.
-import { suited } from "../picture/camera.js";
+import { suited, zoom } from "../picture/camera.js";
 import { compiledWith, fit as fitOf } from "../picture/asking.js";
 import { linkOf } from "./link.js";
 import { checkedState, constantsOf, radiusOf } from "./state.js";
@@ -7,7 +7,8 @@ import { SURFACES, surfaceOf } from "./surfaces.js";
 
 const FOV = 25; // degrees, as cameras have that are fitted
 const MOST_SHARP = 2; // device pixels for one of CSS that are drawn
-const DRAWN = ["equation", "parameters", "extent", "clip", "camera", "colours", "light", "thin", "complex"];
+const LOOK = ["colours", "light", "thin", "axes", "box", "complex"];
+const DRAWN = ["equation", "parameters", "extent", "clip", "camera", ...LOOK];
 
 /** What extent and camera are fitted to. */
 function surfaceIn(state) {
@@ -166,6 +167,14 @@ export class Shown {
         if (found === false || turn !== this.#turn) return;
         const { extent: fitted, camera } = found ?? { extent, camera: this.#wholeExtent() };
         this.#show({ extent: isAnew ? fitted : extent, clip: isEmpty ? [] : clip }, camera);
+    }
+
+    /** Draws the box or not; all becomes smaller until it is in the picture. */
+    async showBox(box) {
+        this.#store.set({ box });
+        const { picture, ...state } = this.#store.get(), { camera } = state;
+        const times = box ? await this.#painter.ask("room", state, this.#size()).catch(() => 1) : 1;
+        if (times < 1 && this.#store.get().camera === camera) this.#store.set({ camera: zoom(camera, times) });
     }
 
     /** Where fitting takes too long: a camera that looks the same way, and shows all of the extent. */

@@ -23,6 +23,8 @@ export function initialState() {
         colours: { ...BLUE, background: "none" },
         light: null,
         thin: null,
+        axes: false,
+        box: false,
         complex: null,
     };
 }
@@ -145,6 +147,8 @@ function complexOf(value) {
     return { sigma, delta, imaginary: Object.fromEntries(parts) };
 }
 
+const flag = (value) => (typeof value === "boolean" ? value : undefined);
+
 const CHECKS = {
     name: (value) => text(value, 40),
     equation: (value) => text(value, LIMITS.equation),
@@ -154,7 +158,9 @@ const CHECKS = {
     camera: cameraOf,
     colours: coloursOf,
     light: lightOf,
-    thin: (value) => (value === null || typeof value === "boolean" ? value : undefined),
+    thin: (value) => (value === null ? null : flag(value)),
+    axes: flag,
+    box: flag,
     complex: complexOf,
 };
 
