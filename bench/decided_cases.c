@@ -8,7 +8,7 @@
  *     clear    L H            one simple root
  *     gap      L^2 H - e      two simple roots, where L sqrt(H) = -sqrt(e) and sqrt(e)
  *     tangent  L^2 H + (x - y) K, the ray in the plane x = y: a double root; the surface is smooth there
- *     square   (L H)^2        a double root everywhere
+ *     double   L^2 H          a double root everywhere (of degree 2 the square of L, which doubles decide)
  *     inside   (x - y) K, the ray in the plane x = y
  *     ball     (x^2 + y^2 + z^2 - 9) H, in the ball of radius 3: two simple roots, both on the extent
  *
@@ -29,7 +29,7 @@
 #include "must.h"
 
 const char *const kind_names[KINDS] = {"clear",   "end",    "gap-20", "gap-60",  "gap-200",
-                                       "tangent", "square", "inside", "own-ball"};
+                                       "tangent", "double", "inside", "own-ball"};
 
 /* ---- polynomials in x, y, z ---- */
 
@@ -101,10 +101,10 @@ static dense make_positive(int degree, measure_random *random, int bits, int wid
 }
 
 /* As many bits as leave room below 2^53: with N = C(deg + 3, 3) terms, H's coefficients sum up to less than
- * 2 (1 + 2 deg) (1 + N 2^bits), those of L to at most 2^6; L^2 H and, for the square, (L H)^2 must fit. */
-static int bits_for(int degree, int squared) {
+ * 2 (1 + 2 deg) (1 + N 2^bits), those of L to at most 2^6; L^2 H must fit. */
+static int bits_for(int degree) {
     double terms = (degree + 1.0) * (degree + 2.0) * (degree + 3.0) / 6;
-    int room = (squared ? 20 : 40) - (int)ceil(log2((1 + 2 * degree) * terms));
+    int room = 40 - (int)ceil(log2((1 + 2 * degree) * terms));
     return room > 20 ? 20 : room;
 }
 
@@ -120,7 +120,7 @@ static dense linear(double x, double y, double z) {
 
 /* L^2 H - C 2^(10 - 2 gap): L is of size 32 or so beside a point of the unit ball. */
 static dense make_gap(const dense *l, int degree, measure_random *random, int gap) {
-    dense h = make_positive(degree - 2, random, bits_for(degree - 2, 0), 0), lh = product(l, &h),
+    dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h),
           p = product(l, &lh);
     *entry(&p, 0, 0, 0) = -ldexp(*entry(&h, 0, 0, 0), 8 - 2 * gap);
     free(h.a);
@@ -134,7 +134,7 @@ static dense make_in_plane(const dense *l, int degree, measure_random *random, i
     (void)fill(&k, random, 20, 0);
     p = product(&plane, &k);
     if (touches) {
-        dense h = make_positive(degree - 2, random, bits_for(degree - 2, 0), 0), lh = product(l, &h);
+        dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h);
         add_product(&p, l, &lh);
         free(h.a);
         free(lh.a);
@@ -144,16 +144,16 @@ static dense make_in_plane(const dense *l, int degree, measure_random *random, i
     return p;
 }
 
-static dense make_square(const dense *l, int degree, measure_random *random) {
-    int half = degree / 2 - 1;
-    dense h = make_positive(half, random, bits_for(half, 1), 0), q = product(l, &h), p = product(&q, &q);
+static dense make_double(const dense *l, int degree, measure_random *random) {
+    dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h),
+          p = product(l, &lh);
     free(h.a);
-    free(q.a);
+    free(lh.a);
     return p;
 }
 
 static dense make_ball(int degree, measure_random *random) {
-    dense ball = make(2), h = make_positive(degree - 2, random, bits_for(degree - 2, 0), 1), p;
+    dense ball = make(2), h = make_positive(degree - 2, random, bits_for(degree - 2), 1), p;
     *entry(&ball, 2, 0, 0) = *entry(&ball, 0, 2, 0) = *entry(&ball, 0, 0, 2) = 1;
     *entry(&ball, 0, 0, 0) = -9;
     p = product(&ball, &h);
@@ -163,7 +163,7 @@ static dense make_ball(int degree, measure_random *random) {
 }
 
 static dense make_clear(const dense *l, int degree, measure_random *random) {
-    dense h = make_positive(degree - 1, random, bits_for(degree - 1, 0), 0), p = product(l, &h);
+    dense h = make_positive(degree - 1, random, bits_for(degree - 1), 0), p = product(l, &h);
     free(h.a);
     return p;
 }
@@ -179,8 +179,8 @@ static dense make_surface(const dense *l, int degree, kind which, measure_random
     case KIND_TANGENT:
     case KIND_INSIDE:
         return make_in_plane(l, degree, random, which == KIND_TANGENT);
-    case KIND_SQUARE:
-        return make_square(l, degree, random);
+    case KIND_DOUBLE:
+        return make_double(l, degree, random);
     case KIND_BALL:
         return make_ball(degree, random);
     default:

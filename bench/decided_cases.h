@@ -12,7 +12,7 @@ typedef enum kind {
     KIND_GAP_60,  /* 2^-60 */
     KIND_GAP_200, /* 2^-200 */
     KIND_TANGENT, /* it touches the surface */
-    KIND_SQUARE,  /* the surface is P = Q^2 */
+    KIND_DOUBLE,  /* the surface is P = Q^2 */
     KIND_INSIDE,  /* it lies in the surface */
     KIND_BALL,    /* the surface is that of the extent */
     KINDS

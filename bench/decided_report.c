@@ -61,7 +61,7 @@ static const struct {
 } groups[GROUPS] = {{"a ray that begins at a root, or with roots close together",
                      {KIND_CLEAR, KIND_END, KIND_GAP_20, KIND_GAP_60, KIND_GAP_200}},
                     {"a ray that touches, or in the surface",
-                     {KIND_CLEAR, KIND_TANGENT, KIND_SQUARE, KIND_INSIDE, KIND_BALL}}};
+                     {KIND_CLEAR, KIND_TANGENT, KIND_DOUBLE, KIND_INSIDE, KIND_BALL}}};
 
 static double us(const finding *r) { return r->us; }
 static double ratio(const finding *r) { return r->ratio; }
