@@ -20,7 +20,8 @@ function preferred() {
     return known[0] ?? "en";
 }
 
-/** The texts of a language: text(key, {name: value}), with text.language, text.has and text.number. */
+/** The texts of a language: text(key, {name: value}), with text.language, text.has, text.number, and
+ * text.mistake(error): what an error of the library says, the parser's messages being keys themselves. */
 export async function loadText(language = preferred()) {
     const [english, own] = await Promise.all([read("en"), language === "en" ? [] : read(language)]);
     const words = new Map(Object.entries(english).map(([key, word], i) => [key, own[i] ?? word]));
@@ -36,6 +37,10 @@ export async function loadText(language = preferred()) {
         });
     text.language = language;
     text.has = (key) => words.has(key);
+    text.mistake = ({ code, message }) => {
+        const key = [`mistake.${code}`, `mistake: ${message}`].find(text.has);
+        return key ? text(key) : message || code;
+    };
     text.number = (value) => number.format(value);
     return text;
 }

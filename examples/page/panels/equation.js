@@ -129,8 +129,7 @@ export class EquationBox {
 
     #saying(error, offset) {
         const { text } = this.#services;
-        const key = `mistake.${error.code}`;
-        const what = text.has(key) ? text(key) : error.message;
+        const what = text.mistake(error);
         if (error.offset === undefined || error.offset === null) return what;
         return text("mistake.at", { column: offset + 1, what });
     }

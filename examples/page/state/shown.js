@@ -120,8 +120,7 @@ export class Shown {
         } catch (error) {
             if (turn !== this.#turn) return;
             this.open(SURFACES[0]);
-            const why = (text) => error.message || text(`mistake.${error.code}`);
-            return this.#tell((text) => text("link.equation", { why: why(text) }));
+            return this.#tell((text) => text("link.equation", { why: text.mistake(error) }));
         }
         const list = (names) => ({ what: names.slice(0, 5).join(", ") });
         const said = [];
