@@ -132,15 +132,14 @@ static void read_jsurf(cli_surface *choice) {
 static void refuse_file(const char *text) {
     const char *ending = strrchr(text, '.');
     size_t length = ending ? strlen(ending + 1) : 0;
-    int named =
+    int is_file =
         length >= 2 && length <= 5 && isalpha((unsigned char)ending[1]) && !strpbrk(text, "=^*+(){}[]|;$ ");
     FILE *file = fopen(text, "rb");
-    if (file) fclose(file);
+    if (file) is_file = 1, fclose(file);
     algsurf_surface *surface = NULL;
-    int is_equation =
-        (file || named) && algsurf_surface_from_equation(text, NULL, 0, &surface, NULL) == ALGSURF_OK;
+    int is_equation = is_file && algsurf_surface_from_equation(text, NULL, 0, &surface, NULL) == ALGSURF_OK;
     algsurf_surface_free(surface);
-    if ((file || named) && !is_equation)
+    if (is_file && !is_equation)
         cli_fail(CLI_BAD_INPUT, "%s: not a file of SURFER, name.jsurf; a file of terms is read by --terms",
                  cli_quote(text).text);
 }
