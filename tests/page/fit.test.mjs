@@ -13,6 +13,7 @@ function slide(visit, value) {
 
 const radius = ({ extent }) => extent.size[0];
 
+const HEAVY = "(x+y+z+1)^64"; // a tenth of a second each ray
 const AWAY = { eye: [90, 80, 70], lookAt: [95, 80, 70], up: [0, 0, 1], fov: 2 };
 
 /** Looks away, so that nothing is seen, and presses the button. */
@@ -24,7 +25,7 @@ async function lookAwayAndFit(visit, partial = {}) {
         { size: extent.size[0], camera }, AWAY.eye[0]);
 }
 
-visitTest("the view always fits: where nothing is seen, in complex space, behind a plane", {}, async (visit) => {
+visitTest("the view always fits: where nothing is seen, in complex space, behind a plane, where each ray takes long", {}, async (visit) => {
     await lookAwayAndFit(visit);
     await visit.settled();
     await visit.type("x^2 + y^2 + z^2 = 9");
@@ -40,6 +41,8 @@ visitTest("the view always fits: where nothing is seen, in complex space, behind
     await visit.until(({ picture }) => picture?.hits === 0 && picture.stage !== "moving");
     await lookAwayAndFit(visit, {});
     await lookAwayAndFit(visit, { complex: { sigma: 0, delta: 0.2, imaginary: {} } });
+    await visit.page.evaluate((equation) => window.algsurfPage.store.set({ equation, complex: null }), HEAVY);
+    await lookAwayAndFit(visit);
 });
 
 visitTest("at rest a fitted extent is fitted again, and one that was chosen stays", {}, async (visit) => {

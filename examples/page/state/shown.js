@@ -165,7 +165,7 @@ export class Shown {
         const found = await asked.catch(({ code }) => code !== "E_CANCELLED" && null);
         if (found === false || turn !== this.#turn) return;
         const { extent: fitted, camera } = found ?? { extent, camera: this.#wholeExtent() };
-        this.#show({ extent: isAnew ? fitted : extent, clip: isEmpty ? [] : clip }, camera);
+        this.#show({ extent: fitted, clip: isEmpty ? [] : clip }, camera);
     }
 
     /** Draws the box or not; all becomes smaller until it is in the picture. */
