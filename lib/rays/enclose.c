@@ -20,6 +20,11 @@
  * covers P~, which is rounded itself (3n + N), and the dots.  Derivatives by xi multiply a_ijk and its error
  * by i <= n.  A surface with an error has so much of P~ more.
  *
+ * First, and beyond degree MOST_SHIFTED alone, each term a x^i y^j z^k by itself: it lies between a times the
+ * ends of the product of the three powers' ranges, and P between the sums.  A term takes at most n + 4
+ * roundings, the sum N: less than above.  A derivative by x is taken times |x|'s bound r, since
+ * r |i a r^(i-1)| <= n |a| r^i: its error is at most n times P's, as above.
+ *
  * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one
  * of total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
  * times) it counts L^n times at most, in a power of h (n times for each place) 2^80 L^n times: together less
