@@ -4,10 +4,11 @@
  * lower degree: r = max over k < n of (A_k / A_n)^(1/(n-k)), A_k the largest coefficient of degree k.
  * Everything that is special about a surface, as a rule, is within a few units of the origin.  Where a proof
  * finds all of it within 32 units, and not next to the end, it is bounded as far as eyes can tell, and the
- * extent is a ball about the box of that proof.  The unit of a flat surface is its thickness, so boxes 32 and
- * 1024 times as large are tried, too; a point is shown in a ball of its unit.  Else the extent is a ball that
- * shows the singular points, if these are bounded, and 3.5 units in any case; if nothing is in it, twice as
- * much, and so on.  Singular points that lie on a bounded part of it show that part alone.
+ * extent is a ball about the box of that proof, of high degree the box itself.  The unit of a flat surface is
+ * its thickness, so boxes 32 and 1024 times as large are tried, too; a point is shown in a ball of its unit.
+ * Else the extent is a ball that shows the singular points, if these are bounded, and 3.5 units in any case;
+ * if nothing is in it, twice as much, and so on.  Singular points that lie on a bounded part of it show that
+ * part alone.
  *
  * The constants are matters of taste: they were chosen by looking at the pictures of some 200 famous
  * surfaces, of which tests/cli_famous keeps 50.
@@ -21,6 +22,8 @@
 static const double FAR = 32, USUAL = 3.5; /* in units of the polynomial */
 static const int FARTHER = 2;              /* larger boxes, each FAR times as large, */
 static const int FLAT_DEGREE = 12;         /* for surfaces up to this degree: it takes time */
+static const double FLAT = 0.01;           /* of a box's longest edge */
+static const int BOX_DEGREE = 13;          /* from it on rays outside the proved box are dear */
 static const double NEARLY = 0.95;         /* of the way to the end: what gets there may go on */
 static const double ROOM = 1.35;           /* about singular points, in half edges of their box, */
 static const double ALONE = 3;             /* and as far as nothing else may be beside what holds them */
@@ -103,6 +106,18 @@ static algsurf_extent ball_about(const fit_box *b) {
     }
     ball.size[0] = fit_rounded_up(sqrt(square));
     return ball;
+}
+
+/* The box itself, rounded outward; what is flat gets a little room. */
+static algsurf_extent box_about(const fit_box *b) {
+    algsurf_extent box = {.kind = ALGSURF_EXTENT_BOX};
+    double middle[3], most = fit_half_edge(b, middle);
+    for (int i = 0; i < 3; i++) {
+        const double half = fmax(0.5 * (b->hi[i] - b->lo[i]), FLAT * most);
+        box.centre[i] = fit_rounded_place(middle[i], half);
+        box.size[i] = fit_rounded_up(fmax(half, fmax(b->hi[i] - box.centre[i], box.centre[i] - b->lo[i])));
+    }
+    return box;
 }
 
 double fit_half_edge(const fit_box *b, double middle[3]) {
@@ -189,5 +204,5 @@ algsurf_extent fit_extent(const algsurf_surface *surface, int *bounded, algsurf_
         all.lo[i] = middle[i] - unit;
         all.hi[i] = middle[i] + unit;
     }
-    return ball_about(&all);
+    return alone || algsurf_surface_degree(surface) < BOX_DEGREE ? ball_about(&all) : box_about(&all);
 }

@@ -2,10 +2,13 @@
 #include "fit.h"
 
 static void tell(const view *v, const fit_choice *choice) {
-    const double *c = v->extent.centre, *e = v->eye, *l = v->look_at, *u = v->up;
+    const double *c = v->extent.centre, *size = v->extent.size, *e = v->eye, *l = v->look_at, *u = v->up;
     char text[600];
     int at = 0;
-    if (choice->extent)
+    if (choice->extent && v->extent.kind == ALGSURF_EXTENT_BOX)
+        at += snprintf(text + at, sizeof text - (size_t)at, " --extent box:%.15g,%.15g,%.15g", size[0],
+                       size[1], size[2]);
+    else if (choice->extent)
         at += snprintf(text + at, sizeof text - (size_t)at, " --extent sphere:%.15g", v->extent.size[0]);
     if (choice->extent && (c[0] != 0 || c[1] != 0 || c[2] != 0))
         at += snprintf(text + at, sizeof text - (size_t)at, " --centre %.15g,%.15g,%.15g", c[0], c[1], c[2]);

@@ -2,10 +2,10 @@
  * long it takes.
  *
  * Surfaces for which a view once took seconds, or showed something else than the surface.  Each has the
- * radius that its ball must have and the share of the picture's pixels that must show something.  Then the
+ * radius that its ball must have, or half the edge of its box, and the share of the picture's pixels that must show something.  Then the
  * times of all famous surfaces (tests/data/famous.tsv), of which the worst is printed.
  *
- * Breaks caught, each tried: glances that go to integers; no probes; a point's own box as extent; the usual
+ * Breaks caught, each tried: a ball about a surface of degree 64; glances that go to integers; no probes; a point's own box as extent; the usual
  * side for a plane; no look for a part by itself.
  */
 #include "unit.h"
@@ -53,14 +53,14 @@ static double share_seen(const algsurf_surface *surface, const view *v) {
 TEST(test_named) {
     static const struct {
         const char *equation;
-        double least, most; /* radius */
+        double least, most; /* radius, or half of a box's edges */
         double seen[2];     /* per cent */
     } cases[] = {
         {"(x^2+y^2+z^2-16)^3 + 27*16 x^2 y^2 z^2 = 0", 4, 10, {25, 50}},
         {"4(x^2+y^2+z^2-13)^3 + 27(3x^2+y^2-4z^2-12)^2 = 0", 3, 7, {25, 60}},
         {"x^4 y^2 + y^4 x^2 - x^2 y^2 + z^6 = 0", 1, 4, {40, 70}},
-        {"x^40 + y^40 + z^40 = 1", 1.6, 2.1, {25, 55}},
-        {"x^64 + y^64 + z^64 = 1", 1.6, 2.1, {25, 55}},
+        {"x^40 + y^40 + z^40 = 1", 1, 1.2, {25, 55}},
+        {"x^64 + y^64 + z^64 = 1", 1, 1.2, {25, 55}},
         {"(x^2+y^2+z^2)^20 = 1", 1, 2.1, {25, 60}},
         {"(x+y+z)^6 = 0", 3, 4, {30, 60}},
         {"x + y + z = 1", 3, 4, {30, 60}},

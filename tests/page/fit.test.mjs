@@ -1,6 +1,6 @@
 // A fitted extent follows the letters of the equation once a slider rests; one that was chosen stays.
 import assert from "node:assert/strict";
-import { visitTest } from "./harness.mjs";
+import { Visit, visitTest } from "./harness.mjs";
 
 /** Gives the letter a a value as its slider does: while it moves, and then at rest. */
 function slide(visit, value) {
@@ -10,6 +10,26 @@ function slide(visit, value) {
         store.set({}, { moving: false });
     }, value);
 }
+
+visitTest("of high degree the extent is a box, which its link keeps and the wheel resizes", {}, async (visit) => {
+    await visit.type("x^40 + y^40 + z^40 = 1");
+    const { size, kind } = await visit.until(({ extent, equation }) => equation.startsWith("x^40") && extent.size.length === 3 && extent);
+    assert.equal(kind, "fitted");
+    assert.ok(size.every((x) => x >= 1 && x < 1.2), String(size));
+    await visit.settled();
+    await visit.page.locator("#copy-link").click();
+    const link = await visit.page.evaluate(() => navigator.clipboard.readText());
+    assert.match(link, /&extent=fitted:1\.?\d*,/);
+    const other = await Visit.open({ link: link.slice(visit.address.length) });
+    const read = await other.until(({ picture, extent }) => picture?.hits > 0 && extent);
+    assert.deepEqual([read.kind, read.size], ["fitted", size]);
+    await other.close();
+    await visit.page.evaluate(() => document.querySelector("canvas").dispatchEvent(
+        new WheelEvent("wheel", { deltaY: 120, ctrlKey: true, bubbles: true, cancelable: true })));
+    const less = await visit.until(({ extent }) => extent.kind !== "fitted" && extent);
+    assert.equal(less.kind, "box");
+    assert.ok(less.size.every((x, i) => x < size[i]));
+});
 
 const radius = ({ extent }) => extent.size[0];
 

@@ -1,5 +1,5 @@
 // command.js - the command line of the program render that draws a state, pixel for pixel.
-import { isInOwnColours, printable } from "../state/state.js";
+import { isBox, isInOwnColours, printable } from "../state/state.js";
 
 const list = (numbers) => numbers.map(String).join(",");
 
@@ -14,8 +14,9 @@ export function stemOf(state) {
     return /^[a-z0-9-]+$/.test(state.name) ? state.name : "surface";
 }
 
-function extentWords({ kind, size, centre }) {
-    const words = ["--extent", kind === "box" ? `box:${list(size)}` : `sphere:${size[0]}`];
+function extentWords(extent) {
+    const { size, centre } = extent;
+    const words = ["--extent", isBox(extent) ? `box:${list(size)}` : `sphere:${size[0]}`];
     return centre.some((x) => x !== 0) ? [...words, "--centre", list(centre)] : words;
 }
 

@@ -3,7 +3,7 @@
 // Sources: java.util.Properties for the lines; jsurf_file.c and view.c of the programs for the keys and for
 // the view: the same file gives the same picture there and here, but for parallel projection, which is not
 // drawn here: a camera that is far away stands for it.
-import { isColour, isPrintable, LIMITS } from "../state/state.js";
+import { isColour, isPrintable, LIMITS, radiusOf } from "../state/state.js";
 
 export const LARGEST = 1 << 20; // bytes of a file
 const RADIANS = Math.PI / 180;
@@ -145,7 +145,7 @@ function rgbOf(colour) {
 
 /** The text of a file of a state: SURFER shows balls about the origin, from outside. */
 export function fileOf(state, axes) {
-    const { right, up, forward } = axes, radius = state.extent.size[0];
+    const { right, up, forward } = axes, radius = radiusOf(state.extent);
     const rotation = [0, 1, 2].flatMap((i) => [right[i], up[i], -forward[i], 0]);
     const lines = [
         "#libalgsurf",

@@ -1,7 +1,7 @@
 // program.js - a complete C program that draws a state with the library, and writes a PAM or PPM picture.
 import { axesOf } from "../picture/camera.js";
 import { stemOf } from "./command.js";
-import { isInOwnColours, radiusOf } from "../state/state.js";
+import { isBox, isInOwnColours, radiusOf } from "../state/state.js";
 
 const EDGE = 0.45, DISTANCE = 16; // of a light that is told by angles, as render has it
 
@@ -118,12 +118,12 @@ function backgroundLines({ background }) {
 
 /** The text of the file. */
 export function programOf(state, { width, height, quality = "standard", antialias = 4 }) {
-    const { eye, lookAt, up, fov } = state.camera, { kind, size, centre } = state.extent;
+    const { eye, lookAt, up, fov } = state.camera, { size, centre } = state.extent;
     const letters = Object.entries(state.parameters);
-    const given = letters.length > 0 ? "constants" : "NULL", shape = kind === "box" ? "BOX" : "SPHERE";
+    const given = letters.length > 0 ? "constants" : "NULL", shape = isBox(state.extent) ? "BOX" : "SPHERE";
     const drawn = state.complex ? "standard" : quality;
     const isClear = state.colours.background === "none", channels = isClear ? 4 : 3;
-    const edges = kind === "box" ? size : [size[0], 0, 0];
+    const edges = isBox(state.extent) ? size : [size[0], 0, 0];
     const file = `${stemOf(state)}.${isClear ? "pam" : "ppm"}`;
     const head = isClear
         ? `"P7\\nWIDTH %d\\nHEIGHT %d\\nDEPTH 4\\nMAXVAL 255\\nTUPLTYPE RGB_ALPHA\\nENDHDR\\n"`

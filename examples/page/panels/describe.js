@@ -1,5 +1,6 @@
 // describe.js - name, title and the sentences of the surface that is shown, also for those who do not see it.
 import { element, fill } from "../base/dom.js";
+import { isBox } from "../state/state.js";
 
 const SEEN = 0.001; // the share of pixels above which a surface is seen at all
 
@@ -21,8 +22,8 @@ export function showAbout(room, state, text) {
 function extentOf({ extent }, text) {
     const told = (x) => String(Number(x.toPrecision(6)));
     const list = (numbers) => `(${numbers.map(told).join(", ")})`;
-    const { kind, size, centre } = extent, words = { centre: list(centre) };
-    if (kind === "box") return text("seen.box", { ...words, size: list(size) });
+    const { size, centre } = extent, words = { centre: list(centre) };
+    if (isBox(extent)) return text("seen.box", { ...words, size: list(size) });
     return text("seen.sphere", { ...words, radius: told(size[0]) });
 }
 

@@ -1,6 +1,7 @@
 // nothing.js - an empty picture says why it is empty, and has a button that shows the surface.
 import { button } from "../base/controls.js";
 import { element, fill } from "../base/dom.js";
+import { isBox } from "../state/state.js";
 
 /** room: over the picture; fit(what) chooses extent and camera. */
 export function mount(room, { store, painter, text, fit }) {
@@ -11,7 +12,7 @@ export function mount(room, { store, painter, text, fit }) {
 
     function said(why, { extent }) {
         const radius = Number(extent.size[0].toPrecision(3));
-        return text(why === "extent" && extent.kind === "box" ? "nothing.box" : `nothing.${why}`, { radius });
+        return text(why === "extent" && isBox(extent) ? "nothing.box" : `nothing.${why}`, { radius });
     }
 
     async function show(picture) {

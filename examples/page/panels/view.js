@@ -2,7 +2,7 @@
 import { clipRows } from "./clip.js";
 import { button, choice, numberField, row, slider } from "../base/controls.js";
 import { element } from "../base/dom.js";
-import { radiusOf } from "../state/state.js";
+import { isBox, radiusOf } from "../state/state.js";
 
 const DECADES = 2; // of the radius, around the one that was fitted
 const THIN_DEGREE = 24; // above it the library draws nothing that is thin
@@ -21,7 +21,7 @@ export function mount(room, { store, text, motion, fit, showBox, reset }) {
     function changeKind(value) {
         if (value === "fitted") return void fit("view");
         const { size } = extent();
-        const halves = size.length === 3 ? size : [size[0], size[0], size[0]];
+        const halves = isBox(extent()) ? size : [size[0], size[0], size[0]];
         set({ kind: value, size: value === "box" ? halves : [radiusOf(extent())] });
     }
 
@@ -32,21 +32,21 @@ export function mount(room, { store, text, motion, fit, showBox, reset }) {
     });
     function resize(times, moving) {
         const size = extent().size.map((x) => Number((x * times).toPrecision(3)));
-        set({ kind: extent().kind === "box" ? "box" : "sphere", size }, moving);
+        set({ kind: isBox(extent()) ? "box" : "sphere", size }, moving);
     }
 
     const edges = ["x", "y", "z"].map((axis, i) =>
         numberField({
             label: text("view.edge", { axis }),
             min: 1e-6,
-            onNumber: (x) => set({ size: extent().size.with(i, x) }),
+            onNumber: (x) => set({ kind: "box", size: extent().size.with(i, x) }),
         }),
     );
     const centre = ["x", "y", "z"].map((axis, i) =>
         numberField({
             label: text("view.centre.of", { axis }),
             onNumber: (x) =>
-                set({ kind: extent().kind === "box" ? "box" : "sphere", centre: extent().centre.with(i, x) }),
+                set({ kind: isBox(extent()) ? "box" : "sphere", centre: extent().centre.with(i, x) }),
         }),
     );
     const trio = (label, fields) =>
@@ -88,8 +88,8 @@ export function mount(room, { store, text, motion, fit, showBox, reset }) {
         if (Math.abs(Math.log10(now / base)) > DECADES || document.activeElement !== radius.range) base = now;
         radius.follow(Math.log10(now / base));
         kind.value = state.extent.kind;
-        edgeRow.hidden = state.extent.kind !== "box";
-        if (state.extent.kind === "box") edges.forEach((field, i) => field.follow(state.extent.size[i]));
+        edgeRow.hidden = !isBox(state.extent);
+        if (isBox(state.extent)) edges.forEach((field, i) => field.follow(state.extent.size[i]));
         centre.forEach((field, i) => field.follow(state.extent.centre[i]));
         box.checked = state.box;
         axes.checked = state.axes;

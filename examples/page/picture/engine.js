@@ -10,7 +10,7 @@
 // the next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts,
 // too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "../algsurf.js";
-import { isInOwnColours, isName, LIMITS } from "../state/state.js";
+import { isBox, isInOwnColours, isName, LIMITS } from "../state/state.js";
 
 const { degree: MAX_DEGREE, planes: MOST_PLANES, side: MAX_SIDE } = LIMITS;
 const LONGEST_EQUATION = 1 << 20; // characters; the page itself stops at LIMITS.equation
@@ -73,9 +73,8 @@ function extentNumbers(extent) {
     const fitted = kind === "fitted" || kind === undefined;
     if (fitted && !Array.isArray(size)) return [0, 1, 0, 0, 0, 1, 0, 0];
     if (!fitted && kind !== "sphere" && kind !== "box") throw refused("extent: neither sphere nor box");
-    const isBox = kind === "box" || (fitted && size.length === 3 && size[1] > 0);
-    const sizes = isBox ? vector(size, "extent", 1e-300) : [number(size?.[0], "extent", 1e-300), 0, 0];
-    return [fitted ? 0 : 1, isBox ? 2 : 1, ...vector(centre, "centre"), ...sizes];
+    const sizes = isBox(extent) ? vector(size, "extent", 1e-300) : [number(size?.[0], "extent", 1e-300), 0, 0];
+    return [fitted ? 0 : 1, isBox(extent) ? 2 : 1, ...vector(centre, "centre"), ...sizes];
 }
 
 function cameraNumbers(camera) {
@@ -317,7 +316,8 @@ export class Engine {
             };
             const f = this.#withState(asked, 17, use, { camera: false });
             const bounded = f[16] === 1;
-            const size = given.kind === "fitted" ? [f[3]] : given.size;
+            const edges = f[4] > 0 ? f.slice(3, 6) : [f[3]]; // a box or a ball
+            const size = given.kind === "fitted" ? edges : given.size;
             const notes = bounded ? [] : ["unbounded"];
             return {
                 extent: { kind: given.kind, size, centre: f.slice(0, 3) },

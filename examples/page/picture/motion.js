@@ -10,7 +10,7 @@
 import { axesOf, lookAtDistance, pan, roll, turn, zoom } from "./camera.js";
 import { dragged } from "../panels/clip.js";
 import { debounced } from "../base/dom.js";
-import { radiusOf } from "../state/state.js";
+import { isBox, radiusOf } from "../state/state.js";
 
 const TURN = 2.6; // radians for a drag over the picture's height
 const CLICK = 5; // pixels that a pointer may move in a click
@@ -181,7 +181,7 @@ export class Motion {
         const { extent } = this.#store.get();
         const size = extent.size.map((x) => Number((x * times).toPrecision(3)));
         this.#store.set(
-            { extent: { ...extent, kind: extent.kind === "box" ? "box" : "sphere", size } },
+            { extent: { ...extent, kind: isBox(extent) ? "box" : "sphere", size } },
             { moving: true },
         );
         this.#rest();

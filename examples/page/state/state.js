@@ -91,9 +91,8 @@ function parametersOf(value) {
 
 function extentOf(value) {
     if (!isObject(value) || !["fitted", "sphere", "box"].includes(value.kind)) return undefined;
-    const edges = value.kind === "box" ? 3 : 1;
-    const size =
-        numbers(value.size, edges, 1e-9, 1e9) ?? numbers(value.size?.slice?.(0, edges), edges, 1e-9, 1e9);
+    const first = (edges) => numbers(value.size?.slice?.(0, edges), edges, 1e-9, 1e9);
+    const size = (value.kind === "sphere" ? undefined : first(3)) ?? (value.kind === "box" ? undefined : first(1));
     const centre = numbers(value.centre, 3);
     return size && centre ? { kind: value.kind, size, centre } : undefined;
 }
@@ -198,7 +197,12 @@ export function constantsOf(state) {
     return Object.fromEntries(Object.entries(state.parameters).map(([name, p]) => [name, p.value]));
 }
 
+/** A fitted extent is a box if it has three sizes, else a ball. */
+export function isBox({ kind, size }) {
+    return kind === "box" || (kind === "fitted" && size.length === 3);
+}
+
 /** Radius of a ball about what is shown. */
 export function radiusOf(extent) {
-    return extent.kind === "box" ? Math.hypot(...extent.size) : extent.size[0];
+    return isBox(extent) ? Math.hypot(...extent.size) : extent.size[0];
 }
