@@ -461,27 +461,94 @@ TEST(nothing_changes_a_byte) {
     }
 }
 
-/* A cell of each sample: 4 x 4 of them are a picture with as many times more pixels. */
-TEST(samples_are_finer_pixels) {
-    enum { N = 4, SIZE = 96 };
-    algsurf_surface *surface = surface_of(lines[0].equation);
-    algsurf_camera camera;
-    assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0.1, 0, 1},
-                                     45, &camera));
-    algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera, NULL);
-    assert_ok(algsurf_scene_set_thin(scene, red));
-    assert_ok(algsurf_scene_set_background(scene, NULL));
-    draw(scene, N * SIZE, &first);
-    assert_ok(algsurf_scene_set_antialias(scene, N));
-    draw(scene, SIZE, &second);
-    assert_true(first.stats.thin == second.stats.thin);
-    for (int y = 0; y < SIZE; y++)
-        for (int x = 0; x < SIZE; x++) {
-            int shown = 0;
-            for (int k = 0; k < N * N; k++)
-                shown += first.states[(N * y + k / N) * N * SIZE + N * x + k % N] != ALGSURF_STATE_MISS;
-            assert_int_equal(second.bytes[4 * (y * SIZE + x) + 3], (int)(255.0 * shown / (N * N) + 0.5));
+/* Of a steep line alone, in the middle of a row: how many pixels it seems wide, and where. */
+static void measure_row(const image *of, int y, double *width, double *at) {
+    *width = *at = 0;
+    for (int x = 0; x < of->size; x++) {
+        const double share = of->bytes[4 * (y * of->size + x) + 3] / 255.0;
+        *width += share;
+        *at += share * (x + 0.5);
+    }
+    *at /= *width;
+}
+
+/* Many samples a pixel show a line a pixel wide, smoothly: to a sample's width. */
+TEST(samples_make_lines_smooth) {
+    enum { SIZE = 200, END = 12 };
+    static const int sides[] = {2, 4, 9};
+    const thin_surface *l = &lines[2];
+    uint64_t seed = first_seed;
+    algsurf_surface *surface = surface_of(l->equation);
+    for (int view = 0; view < 2 * views; view++) {
+        algsurf_camera camera;
+        const int n = sides[view % 3];
+        const double slope = 0.9 * exact_random_unit(&seed), eye[3] = {2 * slope, -7, 3};
+        assert_ok(algsurf_camera_pinhole(eye, (double[]){0, 1, 0.5}, (double[]){1, 0, slope}, 40, &camera));
+        algsurf_scene *scene = scene_of(surface, &l->extent, &camera, NULL);
+        assert_ok(algsurf_scene_set_thin(scene, red));
+        assert_ok(algsurf_scene_set_background(scene, NULL));
+        assert_ok(algsurf_scene_set_antialias(scene, n));
+        for (int adaptive = 0; adaptive < 2; adaptive++) {
+            assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.1 * adaptive));
+            draw(scene, SIZE, &first);
+            const double end[3] = {l->parts[0].from[0] + l->parts[0].along[0], l->parts[0].from[1],
+                                   l->parts[0].from[2]};
+            const place a = place_of(&camera, SIZE, l->parts[0].from), b = place_of(&camera, SIZE, end);
+            int rows = 0;
+            for (int y = (int)fmin(a.y, b.y) + END; y < fmin(fmax(a.y, b.y), SIZE) - END; y++, rows++) {
+                double width, at;
+                const place p = cross(&camera, SIZE, &l->parts[0], 1, y + 0.5);
+                measure_row(&first, y, &width, &at);
+                if (!(fabs(width - 1) < 1.2 / n && fabs(at - p.x) < 0.7 / n))
+                    fail_msg("%d samples, view %d, row %d: %.3f wide at %.3f, not %.3f", n, view, y, width,
+                             at, p.x);
+            }
+            assert_true(rows > SIZE / 4);
         }
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
+/* The light of what is thin: as a tube has it that lies along the line, from above and from below. */
+TEST(lines_are_lit) {
+    enum { SIZE = 64 }; /* the line is seen between two rows: no ray meets it */
+    algsurf_surface *surface = surface_of("y^2 + z^2");
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    const algsurf_material plain = {
+        .size = sizeof plain, .outside = {0, 1, 0}, .inside = {0, 1, 0}, .diffuse = 1, .roughness = 0.5};
+    algsurf_camera camera;
+    assert_ok(
+        algsurf_camera_pinhole((double[]){0, -9, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera));
+    algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+    assert_ok(algsurf_scene_set_thin(scene, red));
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    const double at[3][3] = {{0, -40, 0}, {0, -40, 40}, {0, 40, 0}}; /* before it, higher, behind */
+    int brightness[3];
+    for (int i = 0; i < 3; i++) {
+        algsurf_light light = {.colour = {1, 1, 1}};
+        algsurf_lighting lighting = {.size = sizeof lighting};
+        algsurf_light room[ALGSURF_MAX_LIGHTS];
+        double colour[3];
+        unsigned char bytes[3];
+        memcpy(light.position, at[i], sizeof at[i]);
+        assert_ok(algsurf_scene_set_lights(scene, &light, 1));
+        draw(scene, SIZE, &first);
+        const int upper = (SIZE / 2 - 1) * SIZE + SIZE / 2,
+                  middle = first.states[upper] == ALGSURF_STATE_THIN ? upper : upper + SIZE;
+        const uint8_t *pixel = first.bytes + 4 * middle;
+        assert_int_equal(first.states[middle], ALGSURF_STATE_THIN);
+        assert_ok(algsurf_scene_get_lighting(scene, room, &lighting));
+        algsurf_material material = *lighting.material;
+        memcpy(material.outside, red, sizeof red);
+        lighting.material = &material;
+        assert_ok(algsurf_shade(&lighting, NULL, (double[]){0, 0, 0}, (double[]){0, -1, 0},
+                                (double[]){0, 1, 0}, colour));
+        assert_ok(algsurf_srgb_encode(colour, bytes));
+        for (int k = 0; k < 3; k++) assert_in_range(pixel[k] - bytes[k] + 1, 0, 2);
+        brightness[i] = pixel[0];
+    }
+    assert_true(brightness[0] > brightness[1] + 10 && brightness[1] > brightness[2] + 10);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
 }

@@ -63,19 +63,20 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
  * with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Draws what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
- * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin has it, without light or
- * shadow; null, the default: no thin part is drawn.
+ * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin is a material of that
+ * colour, lit like the surface, but without shadows: a line as the front of a tube, a point as one that faces
+ * the viewer.  Null, the default: no thin part is drawn.
  *
  * An aid to the eye: what is drawn as thin is not proved to be there, and what is left out not to be absent.
  * What is drawn as a hit is proved as ever.
  *
- * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
- * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
- * Looked for are critical points of P in the cell at which P is 0 or has another sign than along the sample's
- * ray.  If the ray hits something, they are looked for only as far as 4 cells' widths before the hit (an
- * undecided place is no hit here).  The search begins where |P| is least along the ray.  Not shown are edges
- * and outlines of what is wide: where P has the other sign behind the point, too, or is curved the other way
- * in some direction, or is 0 on a sheet.  So an isolated point is one cell, and a line is one cell wide.
+ * Cells.  A sample stands for its cell: a square a pixel wide, with the sample in the middle.  Looked for are
+ * critical points of P in the cell at which P is 0 or has another sign than along the sample's ray.  If the
+ * ray hits something, they are looked for only as far as 4 cells' widths before the hit (an undecided place
+ * is no hit here).  The search begins where |P| is least along the ray.  Not shown are edges and outlines of
+ * what is wide: where P has the other sign behind the point, too, or is curved the other way in some
+ * direction, or is 0 on a sheet.  So an isolated point is one cell, and a line is one cell wide; with n x n
+ * samples both have soft edges.
  *
  * What falls short: P like a high power of the distance, about points that are not at the origin, drowns in
  * its rounding: (x-1)^12 + (y-1)^12 + z^12 may be lost; so may what is thinner than others within a cell.
@@ -106,7 +107,9 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
 /* Which pixels get their n x n samples.
  *   threshold  0, the default: all pixels.  0 < threshold <= 1: those whose middle shows another colour than
  *              the middle of the pixel above, below, left or right.  The colours differ by more than 255
- *              times the threshold in a channel (0..255; alpha is one of them, even if it is not asked for)
+ *              times the threshold in a channel (0..255; alpha is one of them, even if it is not asked for);
+ *              and those that show something thin (algsurf_scene_set_thin), or are above, below, left or
+ *              right of that
  * Up to degree 12 a pixel is not chosen if it is proved that between its n x n samples there is no point of
  * the surface, or a single sheet.
  * A pixel that is not chosen shows one sample, that in the middle.  With threshold 1, or n = 1, no pixel is

@@ -18,8 +18,10 @@ typedef struct algsurf_i_beams_kernel {
      * are not asked for.  sure[i]: the root was found; returns whether all were. */
     int (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                   const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points);
-    /* depth[i]: of what is thin beside a ray, found from dip i; HUGE_VAL: there is nothing. */
-    void (*find_thin)(const algsurf_i_point_job *job, algsurf_i_dips *dips, double *depth);
+    /* What is thin beside a ray, found from dip i of those that are kept: its depth, HUGE_VAL if there is
+     * nothing; and the direction of a line, a unit vector in the caller's axes, 0 of a point. */
+    void (*find_thin)(const algsurf_i_point_job *job, algsurf_i_dips *dips, double *depth,
+                      double *const along[3]);
     /* The pixels begin .. end-1 of a row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

@@ -286,8 +286,9 @@ INLINE mask is_shapeless(const beside *b, const expansion *p, const lanes at[3])
     return less(bend_of(p) * dot(at, at), 4.0 * n * n * rounding_of(b, p));
 }
 
-/* Is there something thin beside the rays at points of theirs?  Then it is at *depth. */
-static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth) {
+/* Is there something thin beside the rays at points of theirs?  Then it is at *depth, and a line goes along
+ * that. */
+static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth, lanes along[3]) {
     const lanes zero = all_lanes(0);
     lanes at[3] = {start[0], start[1], start[2]};
     expansion p = expand_about(b->job->surface, at);
@@ -335,6 +336,8 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         ends &= at_most(-0x1p-4 * first - error, sign * value_at(b, at, behind, all_lanes(1)));
         ends &= is_narrow(b, &n, at, value, error, sign, pixel, ends);
         *depth = choose(ends, s.depth, *depth);
+        for (int k = 0; k < 3; k++)
+            along[k] = choose(ends & (is_line | n.is_line), n.left[k], choose(ends, zero, along[k]));
         found |= ends;
     }
     return found;
@@ -377,15 +380,17 @@ static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, 
     dips->count = kept;
 }
 
-/* depth[i]: that of what is thin, of dip i of those that are kept; HUGE_VAL, there is nothing. */
-static void find_thin(const algsurf_i_point_job *points, algsurf_i_dips *dips, double *depth) {
+/* See kernels.h. */
+static void find_thin(const algsurf_i_point_job *points, algsurf_i_dips *dips, double *depth,
+                      double *const along[3]) {
     const row_rays rows = rays_of_row(points);
     keep_small(points, &rows, dips);
     for (int i = 0; i < dips->count; i += LANES) {
         beside b;
-        lanes at[3], z = all_lanes(0);
-        mask open = take_dips(points, &rows, dips, i, &b, at), found = is_thin(&b, at, open, &z);
+        lanes at[3], z = all_lanes(0), line[3] = {z, z, z};
+        mask open = take_dips(points, &rows, dips, i, &b, at), found = is_thin(&b, at, open, &z, line);
         store_some(depth + i, choose(found, z, all_lanes(HUGE_VAL)), dips->count - i);
+        for (int k = 0; k < 3; k++) store_some(along[k] + i, line[k], dips->count - i);
     }
 }
 

@@ -129,6 +129,7 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->dips.at = take_ints(a, s->dips);
     t->dips.depth = take_doubles(a, s->dips);
     t->thin = take_doubles(a, s->dips);
+    for (int k = 0; k < 3; k++) t->thin_along[k] = take_doubles(a, s->dips);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {

@@ -7,8 +7,7 @@
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
  * middles alone would have, with alpha, whether a byte of it is asked for or not: what is chosen does not
  * hang on which planes are.  Where there are tiles only pixels of leaves are compared: through the
- * others, by proof, no edge goes.  One that shows something thin is not chosen: many samples would make it
- * pale.
+ * others, by proof, no edge goes.
  *
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
@@ -46,18 +45,35 @@ static void compare(const algsurf_i_picture *picture, int row, int x, int end, a
     mark(own, own + channels, count - right, limit, marks);
 }
 
-/* Lists which of the pixels x .. end-1 show another colour than a neighbour, and nothing thin. */
-static int list_apart(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles,
-                      int *list) {
+/* Does the row, or one beside it, show something thin? */
+static int is_near_thin(const algsurf_i_picture *picture, const algsurf_i_middles *middles, int row) {
+    for (int r = row > 0 ? row - 1 : 0; picture->thin && r <= row + 1 && r < picture->height; r++)
+        if (memchr(middles->shown[r % 3].state, ALGSURF_STATE_THIN, (size_t)picture->width)) return 1;
+    return 0;
+}
+
+/* Does the pixel, or one of the four beside it, show something thin? */
+static int is_beside_thin(const algsurf_i_picture *picture, const algsurf_i_middles *middles, int row,
+                          int x) {
+    const uint8_t *own = middles->shown[row % 3].state, thin = ALGSURF_STATE_THIN;
+    return own[x] == thin || (x > 0 && own[x - 1] == thin) ||
+           (x + 1 < picture->width && own[x + 1] == thin) ||
+           (row > 0 && middles->shown[(row + 2) % 3].state[x] == thin) ||
+           (row + 1 < picture->height && middles->shown[(row + 1) % 3].state[x] == thin);
+}
+
+/* Lists which of the pixels x .. end-1 show another colour than a neighbour, or are beside something thin. */
+static int list_apart(algsurf_i_worker *worker, int row, int x, int end, int *list) {
+    const algsurf_i_picture *picture = worker->picture;
+    algsurf_i_middles *middles = &worker->middles;
     const int channels = algsurf_i_channels(&middles->shown[0]);
-    const uint8_t *state = middles->shown[row % 3].state;
     int count = 0;
     compare(picture, row, x, end, middles);
     for (; x < end; x++) {
         const uint8_t *mark = middles->apart + channels * x;
         int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
         list[count] = x;
-        count += apart && state[x] != ALGSURF_STATE_THIN;
+        count += apart || (worker->line.thin && is_beside_thin(picture, middles, row, x));
     }
     return count;
 }
@@ -77,9 +93,7 @@ static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, 
     for (int first = 0, end; first < cells; first = end + 1) {
         for (end = first; end < cells && is_leaf(band, cell[end]);) end++;
         const int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF;
-        if (end > first)
-            count +=
-                list_apart(picture, row, x, x_end < width ? x_end : width, &worker->middles, list + count);
+        if (end > first) count += list_apart(worker, row, x, x_end < width ? x_end : width, list + count);
     }
     for (int i = 0; i < count; i++) low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
     return count;
@@ -94,13 +108,14 @@ static void list_edges(algsurf_i_worker *worker, int row) {
     int begin, end;
     const int within = picture->geometry && !picture->scene->complex &&
                        algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
+    line->thin = is_near_thin(picture, &worker->middles, row);
     line->dense = within ? picture->scene->antialias : 1;
     if (band && within) {
         line->wanted_count = list_in_leaves(worker, band, row);
         return;
     }
     if (!within) begin = 0, end = picture->width;
-    line->wanted_count = list_apart(picture, row, begin, end, &worker->middles, line->list);
+    line->wanted_count = list_apart(worker, row, begin, end, line->list);
     for (int i = 0; within && i < line->wanted_count; i++) worker->tiling.list_low[i] = -1;
 }
 

@@ -26,6 +26,11 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
     job->slope = view->alpha * form->v + view->beta[1];
 }
 
+void algsurf_i_make_dense(const algsurf_i_picture *picture, int dense, algsurf_i_row_job *job) {
+    job->offset = 0.5 - 0.5 * picture->width * dense;
+    job->pixel /= dense;
+}
+
 /* The error bounds of forms hold for rays that stay within this of the view's centre in x and y, over the
  * depths of what is shown, |z| <= 1 (sight_template.h); a little less is used. */
 #define BOUND (4 - 0x1p-10)

@@ -48,7 +48,7 @@ typedef struct algsurf_i_picture {
     int tiled;                    /* 1: there is a view, and tiles of it */
     int thin;                     /* 1: what is thin is shown: there is a view */
     algsurf_picture planes;
-    algsurf_i_colour_job colours;
+    algsurf_i_colour_job colours, thin_colours;
     uint8_t *curve;  /* of sRGB, SRGB_STEPS entries */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
@@ -96,7 +96,7 @@ static inline int algsurf_i_stopped(const algsurf_i_picture *picture) {
 int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *geometry);
 
 /* Sets how small and how large things are for which thin ones are looked for. */
-void algsurf_i_prepare_thin(algsurf_i_geometry *geometry, int across);
+void algsurf_i_prepare_thin(algsurf_i_geometry *geometry);
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *geometry);
@@ -134,6 +134,9 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
 /* The job of the row y from the top, through offset sx in each pixel, without its form's coefficients. */
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job);
+
+/* The job for so many samples side by side in each pixel. */
+void algsurf_i_make_dense(const algsurf_i_picture *picture, int dense, algsurf_i_row_job *job);
 
 /* The pixels begin <= x < end, multiples of `step`, all of whose rays between two heights, counted in pixels
  * from the top, are within the bounds of forms; the last `step` pixels may reach beyond the picture.  Returns

@@ -42,6 +42,7 @@ typedef struct algsurf_i_line {
     int dense;      /* so many samples of a pixel are among the row's, one or all that are side by side */
     int across;     /* samples of a pixel that are side by side; */
     int sample;     /* the row's samples are this one of across x across, row by row, and those that follow */
+    int thin;       /* 1: what is thin beside them is looked for */
     int count;      /* points: hits and undecided ones */
     int *pixel;     /* of each point its sample of the row; in no particular order */
     algsurf_i_points points;
@@ -124,8 +125,9 @@ typedef struct algsurf_i_tiling {
     int pixels, *pixel;
     double *pixel_low, *pixel_depth;
     uint8_t *pixel_state;
-    algsurf_i_dips dips; /* of these; */
-    double *thin;        /* depths of what is thin */
+    algsurf_i_dips dips;   /* of these; */
+    double *thin;          /* depths of what is thin, */
+    double *thin_along[3]; /* and directions of lines */
 } algsurf_i_tiling;
 
 #endif

@@ -166,8 +166,7 @@ static int solve_pixels(algsurf_i_worker *worker, const algsurf_i_row_job *job) 
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low};
     int undecided = 0;
-    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state,
-                                picture->thin && line->dense == 1 ? &t->dips : NULL);
+    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state, line->thin ? &t->dips : NULL);
     for (int i = 0; i < t->pixels; i++) {
         int x = t->pixel[i];
         line->state[x] = t->pixel_state[i];
@@ -221,9 +220,9 @@ int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy) {
     algsurf_i_line *line = &worker->line;
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
+    worker->tiling.dips.count = 0;
     algsurf_i_make_row(worker->picture, row + sy, 0.5, &worker->form, &job);
-    job.offset = 0.5 - 0.5 * worker->picture->width * dense;
-    job.pixel /= dense;
+    algsurf_i_make_dense(worker->picture, dense, &job);
     collect_listed(worker, row);
     int undecided = find_pixels(worker, &job);
     worker->tally->stats.rays += (uint64_t)(dense * line->wanted_count);

@@ -51,6 +51,17 @@ static int lights_are_finite(const algsurf_light *lights, size_t count) {
     return 1;
 }
 
+/* Those of the surface, and of what is thin. */
+static void prepare_colours(const algsurf_scene *scene, algsurf_i_picture *picture) {
+    const int preview = scene->quality == ALGSURF_QUALITY_PREVIEW;
+    algsurf_material thin = scene->material;
+    algsurf_lighting lighting = picture->lighting;
+    algsurf_i_colour_prepare(&lighting, preview, &picture->colours);
+    for (int k = 0; k < 3; k++) thin.outside[k] = thin.inside[k] = scene->thin_colour[k];
+    lighting.material = &thin;
+    algsurf_i_colour_prepare(&lighting, preview, &picture->thin_colours);
+}
+
 static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
                                                const algsurf_render_options *options,
                                                algsurf_i_picture *picture) {
@@ -63,8 +74,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     atomic_init(&picture->stop, 0);
     algsurf_i_scene_lighting(scene, picture->lights, &picture->lighting);
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
-    algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
-                             &picture->colours);
+    prepare_colours(scene, picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_beams_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
@@ -88,8 +98,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->geometry = NULL;
         picture->tiled = picture->thin = 0;
     }
-    if (picture->thin)
-        algsurf_i_prepare_thin(picture->geometry, picture->selective ? 1 : picture->scene->antialias);
+    if (picture->thin) algsurf_i_prepare_thin(picture->geometry);
     if (picture->geometry && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->geometry && picture->geometry->beams)
@@ -106,7 +115,7 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
     void *memory = algsurf_i_allocate(picture, threads, &workers);
     if (memory) {
         algsurf_i_srgb_curve(picture->curve);
-        picture->colours.curve = picture->curve;
+        picture->colours.curve = picture->thin_colours.curve = picture->curve;
         if (picture->shadows) algsurf_i_place_samples(picture);
         status = make_frame(picture);
     }

@@ -138,8 +138,7 @@ static algsurf_status see(algsurf_i_worker *worker, int row, double sx, double s
     if (undecided) status = algsurf_i_solve_undecided(worker, row + sy, sx, line->begin, line->end);
     algsurf_i_lap(worker, &worker->tally->stats.solve_s);
     if (status == ALGSURF_OK && line->colours) status = shade_line(worker, row);
-    if (status == ALGSURF_OK && picture->thin && !(picture->selective && line->across > 1))
-        algsurf_i_add_thin(worker, row, sx, sy);
+    if (status == ALGSURF_OK && line->thin) algsurf_i_add_thin(worker, row, sx, sy);
     return status;
 }
 
@@ -190,6 +189,7 @@ algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const
     line->colours = planes->pixels ? &picture->colours : NULL;
     line->across = line->dense = 1;
     line->sample = 0;
+    line->thin = picture->thin;
     algsurf_status status = see(worker, row, 0.5, 0.5);
     if (status == ALGSURF_OK) store_points(picture, line, planes);
     return status;
@@ -221,6 +221,21 @@ static algsurf_status add_coloured(algsurf_i_worker *worker, int row, int all_hi
     return status;
 }
 
+/* The same of a row of samples, and of what is thin beside them: those points are all there are. */
+static algsurf_status add_with_thin(algsurf_i_worker *worker, int row, double sy, int undecided) {
+    algsurf_i_line *line = &worker->line;
+    const int n = line->dense;
+    algsurf_status status = ALGSURF_OK;
+    if (undecided) status = algsurf_i_solve_undecided(worker, row + sy, 0.5, n * line->begin, n * line->end);
+    algsurf_i_lap(worker, &worker->tally->stats.solve_s);
+    if (status == ALGSURF_OK && line->colours) status = shade_line(worker, row);
+    if (status != ALGSURF_OK) return status;
+    algsurf_i_add_thin(worker, row, 0.5, sy);
+    add_points(line, 0);
+    line->count = 0;
+    return status;
+}
+
 /* Row j of the listed pixels' samples.  Those not undecided wait, as long as there is room, to be coloured
  * with those of the rows that follow; in full quality colours depend on the row. */
 static algsurf_status render_samples_row(algsurf_i_worker *worker, int row, int j) {
@@ -235,7 +250,10 @@ static algsurf_status render_samples_row(algsurf_i_worker *worker, int row, int 
         status = add_coloured(worker, row, 1);
     if (status != ALGSURF_OK) return status;
     line->sample = j * n;
-    if (algsurf_i_solve_listed(worker, row, sy)) {
+    const int undecided = algsurf_i_solve_listed(worker, row, sy);
+    if (line->thin) {
+        status = add_with_thin(worker, row, sy, undecided);
+    } else if (undecided) {
         status = add_coloured(worker, row, 1);
         if (status == ALGSURF_OK)
             status = algsurf_i_solve_undecided(worker, row + sy, 0.5, n * line->begin, n * line->end);
@@ -313,6 +331,7 @@ algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row) {
     line->wanted_count = picture->width;
     line->begin = 0;
     line->end = picture->width;
+    line->thin = picture->thin;
     algsurf_status status = picture->scene->antialias > 1 ? render_samples(worker, row, &to)
                                                           : algsurf_i_render_middles(worker, row, &to);
     if (picture->tiled) algsurf_i_count_tiles(worker, row);

@@ -4,7 +4,8 @@
 
 #include "../base/vec.h"
 #include "impl.h"
-#include "srgb.h"
+
+#define END_ON 0x1p-10 /* the sine of an angle */
 
 /* Of depth along the ray, for a t of 1. */
 static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *ray) {
@@ -13,19 +14,40 @@ static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *r
     return ldexp(forward, -picture->scene->surface->unit) / view->size;
 }
 
-/* Sample x shows what is thin instead of what it shows. */
-static void show(const algsurf_i_picture *picture, int x, double t, algsurf_i_line *line, int point) {
+/* The direction from a line's axis, or a point, towards the viewer, as a normal; of a line that is seen from
+ * its end, as of a point. */
+static void face(const double direction[3], const double along[3], double normal[3]) {
+    const double share = algsurf_dot(direction, along);
+    for (int k = 0; k < 3; k++) normal[k] = share * along[k] - direction[k];
+    const double length = algsurf_length(normal);
+    for (int k = 0; k < 3; k++) normal[k] = length > END_ON ? normal[k] / length : -direction[k];
+}
+
+/* Entry i gets the colour of a place on what is thin. */
+static void colour(const algsurf_i_picture *picture, const algsurf_ray *ray, double t, const double along[3],
+                   algsurf_i_line *line, int i) {
+    algsurf_i_looks looks;
+    double position[3], normal[3];
+    for (int k = 0; k < 3; k++) {
+        position[k] = ray->origin[k] + t * ray->direction[k];
+        looks.place[k] = line->points.looks.place[k] + i;
+        looks.normal[k] = line->points.looks.normal[k] + i;
+        looks.direction[k] = line->points.looks.direction[k] + i;
+    }
+    face(ray->direction, along, normal);
+    algsurf_i_set_look(&picture->thin_colours.frame, position, normal, ray->direction, 0, &looks);
+    picture->shader->colours(&picture->thin_colours, &looks, 1, NULL,
+                             line->across == 1 ? NULL : line->colour + 3 * i, line->bytes + i);
+}
+
+/* Sample x shows what is thin instead of what it shows: its entry. */
+static int show(int x, double t, algsurf_i_line *line, int point) {
     int i = point >= 0 ? point : line->count++;
     line->pixel[i] = x;
     line->state[x] = ALGSURF_STATE_THIN;
     line->points.t[i] = t;
-    line->bytes[i] = 0;
-    for (int k = 0; k < 3; k++) {
-        double light = picture->scene->thin_colour[k];
-        line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture->curve, light) << 8 * k;
-        line->points.normal[k][i] = 0;
-        line->colour[3 * i + k] = (float)light;
-    }
+    for (int k = 0; k < 3; k++) line->points.normal[k][i] = 0;
+    return i;
 }
 
 /* Adds what P's terms of each degree are at most in a direction, but for the length of that: to `most`. */
@@ -45,10 +67,10 @@ static void look_in(const algsurf_i_frame_form *frame, const double d[3], double
 
 /* The largest of them in 3 n^2 directions, through a lattice on the faces of a cube, are taken for the
  * largest of all. */
-void algsurf_i_prepare_thin(algsurf_i_geometry *p, int across) {
+void algsurf_i_prepare_thin(algsurf_i_geometry *p) {
     const int n = p->frame.degree;
     double most[ALGSURF_MAX_VIEW_DEGREE + 1] = {0};
-    p->rays.thin_side = fabs(p->rays.du) * p->rays.pixel / across;
+    p->rays.thin_side = fabs(p->rays.du) * p->rays.pixel;
     p->rays.thin_before = 4 * p->rays.thin_side;
     double pixel = p->rays.thin_side * (1 + fabs(p->frame.view.alpha));
     for (int i = 0; i < n * n; i++) {
@@ -72,21 +94,27 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
     algsurf_i_line *line = &worker->line;
     algsurf_i_dips *dips = &worker->tiling.dips;
     const double *depth = worker->tiling.thin;
+    double *const *along = worker->tiling.thin_along;
     algsurf_i_row_job job;
     if (dips->count == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
+    if (line->dense > 1) algsurf_i_make_dense(picture, line->dense, &job);
     const algsurf_i_point_job points = {scene->surface, &job, NULL, 0};
-    picture->code->find_thin(&points, dips, worker->tiling.thin);
+    picture->code->find_thin(&points, dips, worker->tiling.thin, along);
     for (int i = 0; i < dips->count; i++) {
         const int x = dips->at[i], is_hit = line->state[x] == ALGSURF_STATE_HIT &&
                                             scene->intersect.undecided_as != ALGSURF_AS_HIT;
         if (!(depth[i] < HUGE_VAL) || line->state[x] == ALGSURF_STATE_THIN) continue;
         algsurf_ray ray;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, (x + sx) / line->dense,
+                             row + sy, &ray);
         double per_t = depth_per_t(picture, &ray);
         int point = point_of(line, x);
         if (is_hit && depth[i] > job.near + line->points.t[point] * per_t - job.thin_before) continue;
-        show(picture, x, (depth[i] - job.near) / per_t, line, point);
+        const double t = (depth[i] - job.near) / per_t,
+                     line_along[3] = {along[0][i], along[1][i], along[2][i]};
+        const int entry = show(x, t, line, point);
+        if (line->colours) colour(picture, &ray, t, line_along, line, entry);
         worker->tally->stats.thin++;
     }
 }
