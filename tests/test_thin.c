@@ -110,10 +110,15 @@ TEST(points_are_one_dot) {
     static const struct {
         const char *equation;
         double at[3];
-    } points[] = {{"x^2 + y^2 + z^2", {0, 0, 0}},       {"x^4 + y^2 + z^2", {0, 0, 0}},
-                  {"x^4 + y^4 + z^2", {0, 0, 0}},       {"(x-1)^4 + y^2 + z^2", {1, 0, 0}},
-                  {"x^4 + 3 y^4 + z^4", {0, 0, 0}},     {"x^6 + y^2 + 2 z^2", {0, 0, 0}},
-                  {"-x^2 - 5 (y-1)^2 - z^4", {0, 1, 0}}};
+    } points[] = {{"x^2 + y^2 + z^2", {0, 0, 0}},
+                  {"x^4 + y^2 + z^2", {0, 0, 0}},
+                  {"x^4 + y^4 + z^2", {0, 0, 0}},
+                  {"(x-1)^4 + y^2 + z^2", {1, 0, 0}},
+                  {"x^4 + 3 y^4 + z^4", {0, 0, 0}},
+                  {"x^6 + y^2 + 2 z^2", {0, 0, 0}},
+                  {"-x^2 - 5 (y-1)^2 - z^4", {0, 1, 0}},
+                  {"x^2 + y^2 + (z^2-x)^2", {0, 0, 0}},
+                  {"x^2 + y^2 + (x-y)^2 + z^4 - 2 z^2 x", {0, 0, 0}}};
     static const int sizes[] = {16, 65, 200, 300};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     uint64_t seed = first_seed;

@@ -34,7 +34,7 @@
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
 #define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
-#define NEWTON_ROUNDS 20
+#define NEWTON_ROUNDS 60 /* along a curved valley of fourth order a round goes a third of the way */
 
 /* ---- P about a point ---- */
 
