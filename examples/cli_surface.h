@@ -46,9 +46,6 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
  * the command line is read. */
 void cli_settle_surface(cli_surface *choice);
 
-/* Is it a name that a constant may have? */
-int cli_is_constant_name(const char *name);
-
 /* Makes the surface that was asked for; ends the program when there is none. */
 algsurf_surface *cli_make_surface(const cli_surface *choice);
 

@@ -1,6 +1,7 @@
 /* cli_text.c - see cli_text.h. */
-#include "cli_text.h"
+#include "cli.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const char REPLACEMENT[] = "\xef\xbf\xbd"; /* U+FFFD */
@@ -80,4 +81,12 @@ void cli_point_at(FILE *file, const char *text, size_t offset, size_t length) {
     fprintf(file, "%s\n%*s", *text ? "..." : "", (int)(first - cut - 1) + (cut > 0 ? 5 : 2), "");
     for (; first < end; first++) fputc('^', file);
     fputc('\n', file);
+}
+
+char *cli_copy(const char *text, size_t length) {
+    char *copy = malloc(length + 1);
+    if (!copy) cli_no_memory();
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
 }

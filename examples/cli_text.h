@@ -11,6 +11,9 @@ typedef struct cli_quoted {
 } cli_quoted;
 cli_quoted cli_quote(const char *text);
 
+/* The first `length` bytes, to be freed; ends the program if there is no memory. */
+char *cli_copy(const char *text, size_t length);
+
 /* The column, from 1, of the character that begins so many bytes into the text. */
 size_t cli_column(const char *text, size_t offset);
 

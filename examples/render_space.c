@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli_equation.h"
+
 static const double PI = 3.14159265358979323846;
 static const double REAL_DELTA =
     1e-10; /* radians: positive real roots only, their argument being exactly 0 */

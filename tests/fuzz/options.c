@@ -5,6 +5,7 @@
  */
 #include <setjmp.h>
 
+#include "cli_equation.h"
 #include "fuzz.h"
 #include "render_options.h"
 
