@@ -16,7 +16,7 @@
 
 set(sphere_view --extent sphere:2 --eye 2.6,-3.2,1.9 --fov 56)
 set(tangle_view --fov 33)
-set(whitney_view --look-at 0,0,0 --fov 36)
+set(whitney_view --eye 5.263,-2.382,1.736 --look-at 0,0,0 --fov 46)
 set(steiner_view --eye 1.2,-1.7,1.31 --fov 40)
 set(boy_view --eye 3.9,-5,1.3 --look-at 0,0,1 --fov 36)
 
