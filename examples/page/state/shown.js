@@ -143,9 +143,16 @@ export class Shown {
     // ---- fitted ----
 
     /** Extent and camera for the state with these members, or null. */
-    #ask(partial = {}, kind = "fitted") {
+    async #ask(partial = {}, kind = "fitted") {
         const state = { ...this.#store.get(), ...partial, picture: null };
-        return fitOf(this.#painter, { ...state, extent: { ...state.extent, kind } }, this.#size());
+        const found = await fitOf(this.#painter, { ...state, extent: { ...state.extent, kind } }, this.#size());
+        return found && { ...found, camera: await this.#withBox({ ...state, ...found }) };
+    }
+
+    /** The state's camera, or where the box is drawn one for which all is so small that it is in the picture. */
+    async #withBox({ picture, ...state }) {
+        const times = state.box ? await this.#painter.ask("room", state, this.#size()).catch(() => 1) : 1;
+        return times < 1 ? zoom(state.camera, times) : state.camera;
     }
 
     #show(partial, home, camera = home) {
@@ -171,9 +178,8 @@ export class Shown {
     /** Draws the box or not; all becomes smaller until it is in the picture. */
     async showBox(box) {
         this.#store.set({ box });
-        const { picture, ...state } = this.#store.get(), { camera } = state;
-        const times = box ? await this.#painter.ask("room", state, this.#size()).catch(() => 1) : 1;
-        if (times < 1 && this.#store.get().camera === camera) this.#store.set({ camera: zoom(camera, times) });
+        const state = this.#store.get(), camera = await this.#withBox(state);
+        if (this.#store.get().camera === state.camera) this.#store.set({ camera });
     }
 
     /** Where fitting takes too long: a camera that looks the same way, and shows all of the extent. */
