@@ -33,6 +33,7 @@
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
+#define SMALL 0x1p-28 /* beside the diagonal: its square is far below FLAT */
 #define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
 #define NEWTON_ROUNDS 60 /* along a curved valley of fourth order a round goes a third of the way */
 
@@ -90,10 +91,12 @@ INLINE lanes bend_of(const expansion *p) {
                 2 * (p->xy * p->xy + p->xz * p->xz + p->yz * p->yz));
 }
 
-/* Jacobi's rotation that makes a_pq zero; v[i] becomes the i-th eigenvector. */
-INLINE void rotate(lanes a[3][3], lanes v[3][3], int p, int q) {
+/* Jacobi's rotation that makes a_pq zero, in the lanes where it is not small, which are returned; v[i]
+ * becomes the i-th eigenvector. */
+INLINE mask rotate(lanes a[3][3], lanes v[3][3], int p, int q) {
     lanes zero = all_lanes(0), one = all_lanes(1);
-    mask some = less(zero, absolute(a[p][q]));
+    mask some = less(SMALL * (absolute(a[p][p]) + absolute(a[q][q])), absolute(a[p][q]));
+    if (!any(some)) return some;
     lanes ratio = 0.5 * (a[q][q] - a[p][p]) / choose(some, a[p][q], one);
     lanes t = 1 / (absolute(ratio) + root(ratio * ratio + 1));
     t = choose(some, choose(less(ratio, zero), -t, t), zero);
@@ -110,6 +113,7 @@ INLINE void rotate(lanes a[3][3], lanes v[3][3], int p, int q) {
         v[p][k] = c * e - s * f;
         v[q][k] = s * e + c * f;
     }
+    return some;
 }
 
 /* The second derivatives' eigenvalues and eigenvectors. */
@@ -118,11 +122,10 @@ static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) v[i][k] = all_lanes(i == k);
     for (int sweep = 0; sweep < 5; sweep++) {
-        lanes off = absolute(a[0][1]) + absolute(a[0][2]) + absolute(a[1][2]);
-        if (!any(less(0x1p-56 * (absolute(a[0][0]) + absolute(a[1][1]) + absolute(a[2][2])), off))) break;
-        rotate(a, v, 0, 1);
-        rotate(a, v, 0, 2);
-        rotate(a, v, 1, 2);
+        mask turned = rotate(a, v, 0, 1);
+        turned |= rotate(a, v, 0, 2);
+        turned |= rotate(a, v, 1, 2);
+        if (!any(turned)) break;
     }
     for (int i = 0; i < 3; i++) l[i] = a[i][i];
 }
