@@ -12,13 +12,15 @@
 #include <string.h>
 
 enum {
-    WINDOW = 1 << 15,     /* how far back a match may lie */
-    SHORTEST = 3,         /* a match */
-    LONGEST = 258,        /* a match */
-    CHAIN = 32,           /* candidates looked at for a match */
-    HASH_BITS = 15,       /* of three bytes */
-    CHUNK = 1 << 16,      /* bytes of an IDAT chunk */
-    ADLER_MODULUS = 65521 /* the largest prime below 2^16 */
+    WINDOW = 1 << 15,      /* how far back a match may lie */
+    SHORTEST = 3,          /* a match */
+    LONGEST = 258,         /* a match */
+    CHAIN = 32,            /* candidates looked at for a match */
+    HASH_BITS = 15,        /* of three bytes */
+    CHUNK = 1 << 16,       /* bytes of an IDAT chunk */
+    ADLER_MODULUS = 65521, /* the largest prime below 2^16 */
+    SYMBOLS = 286,
+    FILTERS = 5
 };
 
 struct png_writer {
@@ -31,6 +33,8 @@ struct png_writer {
     size_t used;
     uint32_t bits; /* of the last byte, lowest first */
     int bit_count;
+    uint16_t code[SYMBOLS]; /* of literals, the end and lengths, lowest bit first, */
+    uint8_t code_bits[SYMBOLS];
     size_t head[1 << HASH_BITS]; /* one more than the last position with this hash; 0: none */
     size_t previous[WINDOW];     /* one more than the position before with the same hash */
 };
@@ -90,23 +94,28 @@ static void put_bits(png_writer *png, unsigned value, int count) {
     }
 }
 
-/* A Huffman code, highest bit first. */
-static void put_code(png_writer *png, unsigned code, int count) {
-    unsigned reversed = 0;
-    for (int i = 0; i < count; i++) reversed |= (code >> i & 1u) << (count - 1 - i);
-    put_bits(png, reversed, count);
+/* A Huffman code, highest bit first, as a number whose lowest bit is first. */
+static unsigned reversed(unsigned code, int count) {
+    unsigned turned = 0;
+    for (int i = 0; i < count; i++) turned |= (code >> i & 1u) << (count - 1 - i);
+    return turned;
 }
 
-/* A literal byte, the end of the block (256), or a length code: RFC 1951, 3.2.6. */
+/* RFC 1951, 3.2.6: of a literal byte, the end of the block (256), or a length code. */
+static void make_codes(png_writer *png) {
+    for (unsigned s = 0; s < SYMBOLS; s++) {
+        const int bits = s < 144 ? 8 : s < 256 ? 9 : s < 280 ? 7 : 8;
+        const unsigned code = s < 144   ? 0x30 + s
+                              : s < 256 ? 0x190 + s - 144
+                              : s < 280 ? s - 256
+                                        : 0xc0 + s - 280;
+        png->code[s] = (uint16_t)reversed(code, bits);
+        png->code_bits[s] = (uint8_t)bits;
+    }
+}
+
 static void put_symbol(png_writer *png, unsigned symbol) {
-    if (symbol < 144)
-        put_code(png, 0x30 + symbol, 8);
-    else if (symbol < 256)
-        put_code(png, 0x190 + symbol - 144, 9);
-    else if (symbol < 280)
-        put_code(png, symbol - 256, 7);
-    else
-        put_code(png, 0xc0 + symbol - 280, 8);
+    put_bits(png, png->code[symbol], png->code_bits[symbol]);
 }
 
 static int log2_floor(size_t n) {
@@ -127,12 +136,13 @@ static void put_match(png_writer *png, size_t length, size_t distance) {
         put_bits(png, (unsigned)(l & ((1u << extra) - 1)), extra);
     }
     int extra = d < 4 ? 0 : log2_floor(d) - 1;
-    put_code(png, 2 * (unsigned)extra + (unsigned)(d >> extra), 5);
+    put_bits(png, reversed(2 * (unsigned)extra + (unsigned)(d >> extra), 5), 5);
     put_bits(png, (unsigned)(d & ((1u << extra) - 1)), extra);
 }
 
 static size_t match_length(const uint8_t *a, const uint8_t *b, size_t most) {
     size_t n = 0;
+    while (n + 8 <= most && memcmp(a + n, b + n, 8) == 0) n += 8;
     while (n < most && a[n] == b[n]) n++;
     return n;
 }
@@ -153,7 +163,9 @@ static size_t find_match(const png_writer *png, const uint8_t *data, size_t size
                          size_t *distance) {
     size_t most = size - at < LONGEST ? size - at : LONGEST, best = 0;
     for (int i = 0; i < CHAIN && candidate > 0 && at - (candidate - 1) < WINDOW; i++) {
-        size_t from = candidate - 1, length = match_length(data + from, data + at, most);
+        const size_t from = candidate - 1;
+        const int may_be_longer = data[from + best] == data[at + best]; /* best < most */
+        const size_t length = may_be_longer ? match_length(data + from, data + at, most) : 0;
         if (length > best) {
             best = length;
             *distance = at - from;
@@ -205,48 +217,42 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
 
 /* ---- filters ---- */
 
-/* What a byte is predicted to be from its neighbours: a left, b above, c above left. */
-static int predict(int filter, int a, int b, int c) {
-    int p = a + b - c, da = abs(p - a), db = abs(p - b), dc = abs(p - c);
-    switch (filter) {
-    case 1:
-        return a;
-    case 2:
-        return b;
-    case 3:
-        return (a + b) / 2;
-    case 4:
-        return da <= db && da <= dc ? a : db <= dc ? b : c; /* Paeth */
-    default:
-        return 0;
-    }
+/* The nearest of a, b, c to a + b - c: Paeth's predictor. */
+static int nearest(int a, int b, int c) {
+    const int da = abs(b - c), db = abs(a - c), dc = abs(a + b - 2 * c);
+    return da <= db && da <= dc ? a : db <= dc ? b : c;
 }
 
-/* A row behind its filter's number, the neighbour of a byte being `left` bytes before it; returns the sum of
- * the residuals' magnitudes. */
-static unsigned long filter_row(int filter, const uint8_t *row, const uint8_t *above, size_t length,
-                                size_t left, uint8_t *out) {
-    unsigned long sum = 0;
+static unsigned magnitude(int residual) {
+    const uint8_t byte = (uint8_t)residual;
+    return byte < 128 ? byte : 256u - byte;
+}
+
+/* The filter with the least sum of magnitudes.  `left` zeros stand before each of the rows. */
+static int best_filter(const uint8_t *row, const uint8_t *above, size_t length, size_t left) {
+    unsigned sum[FILTERS] = {0}, best = 0;
+    for (size_t i = 0; i < length; i++) {
+        const int x = row[i], a = row[i - left], b = above[i], c = above[i - left];
+        sum[0] += magnitude(x);
+        sum[1] += magnitude(x - a);
+        sum[2] += magnitude(x - b);
+        sum[3] += magnitude(x - (a + b) / 2);
+        sum[4] += magnitude(x - nearest(a, b, c));
+    }
+    for (unsigned filter = 1; filter < FILTERS; filter++)
+        if (sum[filter] < sum[best]) best = filter;
+    return (int)best;
+}
+
+/* The row's residuals, behind the filter's number. */
+static void write_filtered(int filter, const uint8_t *row, const uint8_t *above, size_t length, size_t left,
+                           uint8_t *out) {
     *out++ = (uint8_t)filter;
     for (size_t i = 0; i < length; i++) {
-        int a = i < left ? 0 : row[i - left], b = above ? above[i] : 0;
-        int c = i < left || !above ? 0 : above[i - left];
-        out[i] = (uint8_t)(row[i] - predict(filter, a, b, c));
-        sum += out[i] < 128 ? out[i] : 256u - out[i];
+        const int a = row[i - left], b = above[i];
+        const int guess[FILTERS] = {0, a, b, (a + b) / 2, nearest(a, b, above[i - left])};
+        out[i] = (uint8_t)(row[i] - guess[filter]);
     }
-    return sum;
-}
-
-static void filter_best(const uint8_t *row, const uint8_t *above, size_t length, size_t left, uint8_t *out) {
-    int best = 0;
-    unsigned long least = filter_row(0, row, above, length, left, out);
-    for (int filter = 1; filter < 5; filter++) {
-        unsigned long sum = filter_row(filter, row, above, length, left, out);
-        if (sum >= least) continue;
-        least = sum;
-        best = filter;
-    }
-    filter_row(best, row, above, length, left, out);
 }
 
 png_writer *png_begin(FILE *file, int width, int height, int channels) {
@@ -260,6 +266,7 @@ png_writer *png_begin(FILE *file, int width, int height, int channels) {
     png->height = height;
     png->channels = channels;
     make_crc_table(png);
+    make_codes(png);
     put_big_endian(header, (uint32_t)width);
     put_big_endian(header + 4, (uint32_t)height);
     fwrite(signature, 1, sizeof signature, file);
@@ -284,17 +291,32 @@ static void write_frame_control(png_writer *png) {
     write_chunk(png, "fcTL", control, sizeof control);
 }
 
+/* rows: room for two, with zeros before them. */
+static void filter_rows(const png_writer *png, const uint8_t *pixels, uint8_t *rows, uint8_t *filtered) {
+    const size_t left = (size_t)png->channels, length = left * (size_t)png->width;
+    uint8_t *row = rows + left, *above = row + left + length;
+    for (size_t y = 0; y < (size_t)png->height; y++) {
+        memcpy(row, pixels + y * length, length);
+        const int filter = best_filter(row, above, length, left);
+        write_filtered(filter, row, above, length, left, filtered + y * (length + 1));
+        uint8_t *next = above;
+        above = row, row = next;
+    }
+}
+
 int png_frame(png_writer *png, const uint8_t *pixels) {
     size_t left = (size_t)png->channels, length = left * (size_t)png->width;
     size_t size = (length + 1) * (size_t)png->height;
-    uint8_t *filtered = malloc(size);
-    if (!filtered) return 0;
-    for (size_t y = 0; y < (size_t)png->height; y++)
-        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length, left,
-                    filtered + y * (length + 1));
-    if (png->a_second > 0) write_frame_control(png);
-    write_compressed(png, filtered, size);
+    uint8_t *filtered = malloc(size), *rows = calloc(2, left + length);
+    if (filtered && rows) {
+        filter_rows(png, pixels, rows, filtered);
+        if (png->a_second > 0) write_frame_control(png);
+        write_compressed(png, filtered, size);
+    }
+    const int done = filtered && rows;
     free(filtered);
+    free(rows);
+    if (!done) return 0;
     png->frames++;
     return 1;
 }
