@@ -466,6 +466,31 @@ TEST(test_scene_and_render) {
     algsurf_surface_free(s);
 }
 
+/* A root in complex space at the end of the extent: integers tell that it is in there. */
+static algsurf_status intersect_complex(void) {
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 1e-10}};
+    const algsurf_ray ray = {{-3, 0, 0}, {1, 0, 0}, 0, 9};
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
+    algsurf_hit hit;
+    algsurf_complex root;
+    const algsurf_status status =
+        algsurf_intersect_complex(torus, &ball, &ray, &space, NULL, NULL, &hit, &root);
+    if (status == ALGSURF_OK) {
+        assert_true(hit.state == ALGSURF_STATE_HIT && fabs(hit.t - 2) < 1e-12);
+    } else {
+        assert_true(status == ALGSURF_E_NO_MEMORY && hit.state == ALGSURF_STATE_UNDECIDED);
+    }
+    return status;
+}
+
+TEST(test_complex_ray) {
+    algsurf_surface *s = NULL;
+    assert_ok(algsurf_surface_from_equation("x^48 + y^48 + z^48 = 1", NULL, 0, &s, NULL));
+    torus = s;
+    assert_true(refuse_each(intersect_complex) > 0);
+    algsurf_surface_free(s);
+}
+
 TEST(test_complex_space) {
     const double imaginary = 0.5;
     const algsurf_complex_space space = {

@@ -247,10 +247,9 @@ typedef struct algsurf_complex_space {
  *   root   the complex root t shown, NaN for a miss; may be null
  * There are no options: of algsurf_intersect_options only planes would play a part; algsurf_ray_clip gives
  * the part of the ray that they keep.  Pictures cut complex space, too (algsurf_scene_set_clip).
- * Without memory a ray is UNDECIDED, reason UNDECIDED_RANGE.
  * Errors: E_ARGUMENT (null, bad ray, extent, sector or imaginary parts; t_min < 0 is taken as 0),
- * E_NOT_FINITE.  Cost: that of algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of
- * stack.  Since 1.0. */
+ * E_NOT_FINITE, E_NO_MEMORY (the ray is then UNDECIDED).  Cost: that of algsurf_complex_roots, 2 to 10
+ * microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
                                                      const algsurf_extent *extent, const algsurf_ray *ray,
                                                      const algsurf_complex_space *space,

@@ -89,7 +89,8 @@ static algsurf_status solve_complex(algsurf_i_worker *worker, int x, const algsu
     int iterations;
     algsurf_status status = algsurf_i_intersect_complex(scene->surface, &region, ray, &scene->space, NULL,
                                                         NULL, &hit, NULL, &iterations);
-    if (status < 0) return status;
+    if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
+    worker->tally->without_memory += status < 0;
     worker->tally->stats.iterations += (uint64_t)iterations;
     add_point(worker, x, ray, &hit);
     return ALGSURF_OK;

@@ -39,7 +39,8 @@ typedef struct complex_query {
     algsurf_i_frame frame;
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
     double r[ALGSURF_MAX_DEGREE + 1];
-    int real; /* no imaginary part is given */
+    int real;           /* no imaginary part is given */
+    int without_memory; /* receives 1: some step of it was */
 } complex_query;
 
 /* Underflow takes at most 2^-1075 from a number: a quarter of u times this. */
@@ -193,7 +194,7 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
 }
 
 /* How many roots P has at t in a range, in a region; -1 without memory. */
-static int count_inside(const complex_query *q, const algsurf_i_region *region, algsurf_interval t) {
+static int count_inside(complex_query *q, const algsurf_i_region *region, algsurf_interval t) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     algsurf_ray part = q->front;
     int count = 0, side;
@@ -202,12 +203,13 @@ static int count_inside(const complex_query *q, const algsurf_i_region *region, 
     algsurf_status status = algsurf_i_exact_roots(
         q->surface, region, &part, &(algsurf_i_wanted){ALGSURF_WANT_ALL, .limit = ALGSURF_DEFAULT_MEMORY},
         roots, &count, &side);
+    q->without_memory |= status != ALGSURF_OK;
     return status == ALGSURF_OK ? count : -1;
 }
 
 /* Are the roots of P in the root's box in front of the eye and in the region: 1, 0; or -1: not known.
  * Integers tell it of real roots. */
-static int is_inside(const complex_query *q, const algsurf_complex_root *s) {
+static int is_inside(complex_query *q, const algsurf_complex_root *s) {
     const algsurf_i_region everywhere = {NULL, NULL, 0};
     if (!q->real || q->surface->error > 0 || s->box.im.lo != 0 || s->box.im.hi != 0 || s->box.re.hi < 0)
         return -1;
@@ -224,7 +226,7 @@ static int is_inside(const complex_query *q, const algsurf_complex_root *s) {
  * one that holds them, and a root has to be in one that they hold, or to be shown to be inside, to be
  * certain.  Roots that are shown to be outside are taken out of s and local; about one that is inside, the
  * range is as wide as its box. */
-static int choose(const complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
+static int choose(complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
                   int *index) {
     const int e = q->frame.exponent;
     const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->chord.inner_lo), e),
@@ -273,6 +275,7 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
     algsurf_status status = roots_of(q, start, local, &count, iterations);
     if (status != ALGSURF_OK) {
+        q->without_memory = status == ALGSURF_E_NO_MEMORY;
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
         return;
     }
@@ -319,7 +322,7 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     q.front = *ray;
     q.front.t_min = fmax(ray->t_min, 0);
     q.ray = q.front;
-    *iterations = 0;
+    q.without_memory = *iterations = 0;
     algsurf_i_set_miss(hit, 0);
     if (root) *root = (algsurf_complex){NAN, NAN};
     give_roots(&q, NULL, 0, roots);
@@ -329,7 +332,7 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     q.ray.t_min = q.chord.lo;
     q.ray.t_max = q.chord.hi;
     solve(&q, start, roots, hit, root, iterations);
-    return ALGSURF_OK;
+    return q.without_memory ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
 static algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
