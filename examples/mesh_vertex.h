@@ -17,7 +17,7 @@ typedef struct mesh_vertex {
  * their matrix, small ones left out (Ju, Losasso, Schaefer, Warren 2002); of a smooth sheet the mean of the
  * crossings suffices.  Then Newton's method onto all parts that are crossed at once, along the faces of the
  * cell where it would leave it.  So vertices of smooth sheets are on the surface, as doubles have it.  Those
- * of a cut are on both the surface and the extent, for which they may leave the cell by as much as its edge:
+ * of a cut are on both the surface and the extent, for which they may leave the cell by nearly its edge:
  * a sharp rim ends beyond the last cell whose corners tell of it. */
 void mesh_vertex_place(const mesh_space *space, const mesh_crossing *crossing, int count, const double low[3],
                        const double high[3], mesh_vertex *vertex);

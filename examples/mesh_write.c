@@ -65,8 +65,11 @@ static void write_stl(writer *w, const mesh *m) {
     text(w, "%s", head);
     whole(w, (uint32_t)m->triangles);
     for (size_t i = 0; i < m->triangles; i++) {
-        double n[3];
-        mesh_normal(m, m->corner[i], n);
+        double n[3], at[3][3]; /* as the file has them: the normal of a sliver depends on that */
+        const mesh rounded = {.at = at};
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 3; k++) at[c][k] = (double)(float)m->at[m->corner[i][c]][k];
+        mesh_normal(&rounded, (const uint32_t[3]){0, 1, 2}, n);
         const double length = mesh_length(n);
         for (int k = 0; k < 3; k++) number(w, length > 0 ? (float)(n[k] / length) : 0);
         for (int k = 0; k < 3; k++) place(w, m->at[m->corner[i][k]]);
