@@ -15,9 +15,10 @@ static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a
 
 /* ---- least squares ---- */
 
-/* One rotation that makes a[p][q] zero; v gathers the eigenvectors as columns. */
+/* One rotation that makes a[p][q] zero, unless it is nothing beside the others; v gathers the eigenvectors as
+ * columns. */
 static void rotate(double a[3][3], double v[3][3], int p, int q) {
-    if (a[p][q] == 0) return;
+    if (fabs(a[p][q]) <= 0x1p-50 * (fabs(a[p][p]) + fabs(a[q][q]))) return;
     const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
     const double t = copysign(1, theta) / (fabs(theta) + sqrt(theta * theta + 1)), c = 1 / sqrt(t * t + 1),
                  s = t * c;
@@ -113,7 +114,11 @@ static int step(const mesh_space *space, unsigned parts, const double low[3], co
                 if (held >> k & 1) normal[k] = 0;
             add_plane(a, b, normal, -distance);
         }
-        solve(a, b, move);
+        const double square = a[0][0] + a[1][1] + a[2][2];
+        if ((parts & (parts - 1)) == 0) /* one part: b is along its normal */
+            for (int k = 0; k < 3; k++) move[k] = square > SMALL ? b[k] / square : 0;
+        else
+            solve(a, b, move);
         for (int k = 0; k < 3; k++)
             if (x[k] + move[k] < low[k] || x[k] + move[k] > high[k]) now_held |= 1 << k;
         for (int k = 0; k < 3; k++) x[k] += move[k];
