@@ -8,7 +8,7 @@ enum { STEPS = 4 };               /* Newton's, from within a cell */
 static const double SMOOTH = 0.9; /* a cosine to the mean normal: the mean of the crossings is near enough */
 static const double TURN = 0.5;   /* a cosine: sharp */
 static const double SMALL = 0.05; /* of the largest eigenvalue: no direction to move in */
-static const double BESIDE = 15.0 / 16; /* of a cell: how far the vertex of a cut may leave it, */
+static const double BESIDE = 15.0 / 16; /* of a cell: how far the vertex of a cut or a wedge may leave it, */
 static const double BACK = 1.0 / 256;   /* less this part of the way, so that no other cell has it, too */
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -153,7 +153,7 @@ void mesh_vertex_place(const mesh_space *space, const mesh_crossing *crossing, i
     vertex->sharp = on_surface && s.spread < TURN;
     vertex->kind = !on_surface ? MESH_CLOSING : !one_part || s.spread < SMOOTH ? MESH_FIXED : MESH_SMOOTH;
     for (int k = 0; k < 3; k++) {
-        const double beside = one_part ? 0 : BESIDE * space->h;
+        const double beside = one_part && !vertex->sharp ? 0 : BESIDE * space->h;
         low[k] = from[k] - beside;
         high[k] = to[k] + beside;
     }

@@ -18,7 +18,8 @@ typedef struct mesh_vertex {
  * crossings suffices.  Then Newton's method onto all parts that are crossed at once, along the faces of the
  * cell where it would leave it.  So vertices of smooth sheets are on the surface, as doubles have it.  Those
  * of a cut are on both the surface and the extent, for which they may leave the cell by nearly its edge:
- * a sharp rim ends beyond the last cell whose corners tell of it. */
+ * a sharp rim ends beyond the last cell whose corners tell of it.  So does a wedge where the surface crosses
+ * itself, whose vertices may leave their cells as far. */
 void mesh_vertex_place(const mesh_space *space, const mesh_crossing *crossing, int count, const double low[3],
                        const double high[3], mesh_vertex *vertex);
 
