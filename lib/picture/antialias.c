@@ -131,7 +131,10 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
     algsurf_i_tally_add(worker->tally, &middles->counts[row % 3]);
     list_edges(worker, row);
     memset(middles->wanted, 0, (size_t)width);
-    for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
+    for (int i = 0; i < line->wanted_count; i++) {
+        const int x = line->list[i], may = line->thin && is_beside_thin(worker->picture, middles, row, x);
+        middles->wanted[x] = may ? 2 : 1;
+    }
     line->wanted = middles->wanted;
     worker->predictor.row = -1;
     return ALGSURF_OK;

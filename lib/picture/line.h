@@ -34,7 +34,8 @@ typedef struct algsurf_i_shown {
  * side, and what the pixels show.  Samples of a row are counted from its left end: sample i is in pixel i /
  * dense. */
 typedef struct algsurf_i_line {
-    const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
+    const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; 2, and something thin may be seen through
+                              it; 0, it is not; null: all are, and may */
     int wanted_count;
     int *list;      /* the wanted pixels of the row, from the left; */
     int begin, end; /* pixels of the row that are looked at now: begin .. end-1, */

@@ -82,6 +82,17 @@ void algsurf_i_prepare_thin(algsurf_i_geometry *p) {
     for (int m = 0; m <= n; m++) p->thin_bends[m] = 0.5 * m * (m - 1) * (pixel * pixel) * most[m];
 }
 
+/* Leaves out those in pixels through which nothing thin is seen. */
+static void keep_wanted(const algsurf_i_line *line, algsurf_i_dips *dips) {
+    int kept = 0;
+    for (int i = 0; i < dips->count; i++) {
+        if (line->wanted[dips->at[i] / line->dense] < 2) continue;
+        dips->at[kept] = dips->at[i];
+        dips->depth[kept++] = dips->depth[i];
+    }
+    dips->count = kept;
+}
+
 static int point_of(const algsurf_i_line *line, int x) {
     int i = line->count - 1;
     while (i >= 0 && line->pixel[i] != x) i--;
@@ -96,6 +107,7 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
     const double *depth = worker->tiling.thin;
     double *const *along = worker->tiling.thin_along;
     algsurf_i_row_job job;
+    if (line->wanted) keep_wanted(line, dips);
     if (dips->count == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     if (line->dense > 1) algsurf_i_make_dense(picture, line->dense, &job);
