@@ -1,0 +1,237 @@
+"""Surfaces, rays and pictures: what the package answers, and what it refuses."""
+import copy
+import math
+import os
+import pickle
+import signal
+import struct
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+import zlib
+
+import numpy as np
+
+from algsurf import Surface
+
+PROGRAMS = os.environ.get("ALGSURF_PROGRAMS")
+TORUS = "(x^2 + y^2 + z^2 + 3)^2 = 16 (x^2 + y^2)"
+RANDOM = np.random.default_rng(2)
+
+
+class Surfaces(unittest.TestCase):
+    def test_terms(self):
+        s = Surface("x^2 + a y^3 = z", a=1.5)
+        self.assertEqual(s.degree, 3)
+        self.assertEqual(sorted(s.terms.tolist()), [(0, 0, 1, -1.0), (0, 3, 0, 1.5), (2, 0, 0, 1.0)])
+        self.assertEqual(Surface.from_terms(s.terms).terms.tolist(), s.terms.tolist())
+        self.assertEqual(repr(s), "Surface('x^2 + a y^3 = z', a=1.5)")
+        for other in (pickle.loads(pickle.dumps(s)), copy.deepcopy(s)):
+            self.assertEqual((other.terms.tolist(), repr(other)), (s.terms.tolist(), repr(s)))
+        self.assertEqual(s.rounding, 0)
+        self.assertTrue(0 < Surface("sqrt(5) x = 1").rounding < 1e-15)
+        self.assertEqual(Surface("φ x = 1", φ=2).terms["a"].tolist(), [2, -1])
+
+    def test_values(self):
+        s = Surface(TORUS)
+        points = RANDOM.standard_normal((4, 5, 3))
+        x, y, z = np.moveaxis(points, -1, 0)
+        expected = (x**2 + y**2 + z**2 + 3) ** 2 - 16 * (x**2 + y**2)
+        value, bound = s.value_and_bound(points)
+        self.assertTrue((abs(value - expected) <= bound + 1e-12).all())
+        self.assertLess(bound.max(), 1e-11)
+        self.assertEqual(s.value(points).tolist(), value.tolist())
+        self.assertEqual(s.value(points.astype(np.float32)[::2, 1:, ::-1]).shape, (2, 4))
+        self.assertEqual(float(s.value([2, 0, 0])), 49 - 64)
+        self.assertEqual(s.value(np.zeros((0, 3))).shape, (0,))
+        step = 1e-6
+        slope = (s.value(points + [step, 0, 0]) - s.value(points - [step, 0, 0])) / (2 * step)
+        self.assertLess(abs(slope - s.gradient(points)[..., 0]).max(), 1e-4)
+        with self.assertRaisesRegex(OverflowError, "point 1: overflow"):
+            s.value([[0, 0, 0], [1e200, 0, 0]])
+        with self.assertRaisesRegex(ValueError, "point 0: a number is not finite"):
+            s.gradient([[math.nan, 0, 0]])
+        for points in ([1, 2], 3, [[1, 2, 3, 4]], "abc"):
+            with self.assertRaises(ValueError):
+                s.value(points)
+        with self.assertRaises(TypeError):
+            s.value([1j, 0, 0])
+
+    def test_refused(self):
+        for equation, words in (("x^^2", "not a polynomial equation.*column 3"), ("b x", "no value: b, at column 1"),
+                                ("x - x", "identically zero"), ("(x+y)^70", "degree above the limit"),
+                                ("é + x", "column 1"), ("x\0", "null")):
+            with self.assertRaisesRegex(ValueError, words):
+                Surface(equation)
+        with self.assertRaisesRegex(OverflowError, "overflow"):
+            Surface("1e400 x")
+        with self.assertRaisesRegex(ValueError, "not finite"):
+            Surface("a x", a=math.nan)
+        for arguments in ((1,), (None,), (b"x",), ()):
+            with self.assertRaises(TypeError):
+                Surface(*arguments)
+        for terms in ([], [(1, 0, 0, math.inf)], [(65, 0, 0, 1)], [(-1, 0, 0, 1)]):
+            with self.assertRaises(ValueError):
+                Surface.from_terms(terms)
+
+    def test_enclose(self):
+        low, high = Surface("(x-1)^2 + y^2 + z^2 = 1/4").enclose((5, 5, 5), centre=(1, 0, 0))
+        self.assertTrue((low <= [0.5, -0.5, -0.5]).all() and (high >= [1.5, 0.5, 0.5]).all())
+        self.assertLess((high - low).max(), 1.3)
+        self.assertIsNone(Surface(TORUS).enclose(4, singular=True))
+        low, high = Surface("x^2 + y^2 = z^2").enclose(4, singular=True, precision=0.5)
+        self.assertTrue((low <= 0).all() and (high >= 0).all())
+        for extent in (0, -1, math.inf, (1, 2), (1, 2, 0), None):
+            with self.assertRaises(ValueError):
+                Surface(TORUS).enclose(extent)
+        with self.assertRaises(ValueError):
+            Surface(TORUS).enclose(1, precision=2)
+
+
+class Rays(unittest.TestCase):
+    s = Surface(TORUS)
+    o = np.column_stack([np.full(5000, -5.0), RANDOM.uniform(-3, 3, (5000, 2))])
+    d = np.column_stack([np.ones(5000), RANDOM.uniform(-0.2, 0.2, (5000, 2))])
+
+    def test_hits(self):
+        hits = self.s.first_hits(self.o, self.d)
+        self.assertTrue(500 < np.count_nonzero(hits.found) < 4500)
+        self.assertTrue((np.isinf(hits.t) == ~hits.found).all())
+        t = hits.t[hits.found]
+        self.assertTrue(((hits.t_lo[hits.found] <= t) & (t <= hits.t_hi[hits.found])).all())
+        points = self.o[hits.found] + t[:, None] * self.d[hits.found]
+        self.assertLess(abs(points - hits.position[hits.found]).max(), 1e-14)
+        self.assertLess(abs(self.s.value(points)).max(), 1e-11)
+        self.assertLess(abs(np.linalg.norm(hits.normal[hits.found], axis=1) - 1).max(), 1e-12)
+        self.assertEqual(set(hits.multiplicity.tolist()), {0, 1})
+        self.assertEqual(set(hits.side[hits.found].tolist()), {1})
+        self.assertTrue((self.s.occluded(self.o, self.d) == hits.found).all())
+
+    def test_layouts(self):
+        expected = self.s.first_hits(self.o, self.d)
+        f = np.asfortranarray
+        for o, d, options in ((f(self.o), f(self.d), {}), (self.o, f(self.d), {}), (self.o.tolist(), self.d, {}),
+                              (self.o.reshape(5, 1000, 3), self.d.reshape(5, 1000, 3), {}),
+                              (self.o[::-1], self.d[::-1], {}),
+                              (self.o, self.d, {"threads": 2}), (f(self.o), f(self.d), {"threads": 0}),
+                              (self.o, self.d, {"t_max": 1e6, "t_min": np.zeros(5000)}),
+                              (self.o.astype(">f8"), np.column_stack([self.d, self.d])[:, :3], {"extent": 9}),
+                              (self.o + 1, self.d, {"extent": (9, 9, 9), "centre": (1, 1, 1)})):
+            s = self.s
+            if "centre" in options:  # all of it moved
+                s = Surface("((x-1)^2 + (y-1)^2 + (z-1)^2 + 3)^2 = 16 ((x-1)^2 + (y-1)^2)")
+            hits = s.first_hits(o, d, **options)
+            turn = slice(None, None, -1 if isinstance(o, np.ndarray) and o.strides[0] < 0 else 1)
+            t, normal = hits.t.reshape(-1)[turn], hits.normal.reshape(-1, 3)[turn]
+            self.assertTrue((np.isinf(t) == np.isinf(expected.t)).all())
+            self.assertLess(np.nanmax(abs(np.where(np.isinf(t), 0, t) - np.where(np.isinf(t), 0, expected.t))), 1e-12)
+            self.assertLess(abs(normal - expected.normal).max(), 1e-6)
+            self.assertTrue((s.occluded(o, d, **options).reshape(-1)[turn] == expected.found).all())
+
+    def test_broadcast_and_ends(self):
+        hits = self.s.first_hits([-4, 0, 0], [[1, 0, 0], [0, 1, 0]])
+        self.assertEqual(hits.t.tolist(), [1, math.inf])
+        self.assertEqual(repr(hits), "<1 hits of 2 rays: shape (2,)>")
+        one = self.s.first_hits((-4, 0, 0), (2, 0, 0))
+        self.assertEqual((one.t.shape, float(one.t), one.position.tolist()), ((), 0.5, [-3, 0, 0]))
+        self.assertEqual(repr(one), "<a hit at t = 0.5>")
+        hits = self.s.first_hits([-4, 0, 0], [1, 0, 0], t_min=[0, 2, 4, 6], t_max=[[9], [4.5]])
+        self.assertEqual(hits.t.tolist(), [[1, 3, 5, 7], [1, 3, math.inf, math.inf]])
+        self.assertEqual(self.s.first_hits([-4, 0, 0], [1, 0, 0], t_min=-9, t_max=0).t, math.inf)
+        self.assertEqual(self.s.first_hits(np.zeros((0, 3)), [1, 0, 0]).t.shape, (0,))
+        wide = np.ones((5, 9))
+        odd = self.s.first_hits(wide[::3, ::3][:1] * [-4, 0, 0], np.asfortranarray(wide)[::3, ::3][:1] * [1, 0, 0])
+        self.assertEqual(odd.t.tolist(), [1])
+        odd = self.s.first_hits(wide[::3, :3][1:2], wide[::2, 3:6][1:2])  # one ray, steps that differ
+        self.assertEqual(odd.t.shape, (1,))
+        touching = self.s.first_hits([-4, 0, 1], [1, 0, 0])
+        self.assertEqual((float(touching.t), int(touching.multiplicity)), (2, 2))
+
+    def test_refused(self):
+        with self.assertRaisesRegex(ValueError, "ray 1: an argument"):
+            self.s.first_hits([0, 0, 0], [[1, 0, 0], [0, 0, 0]])
+        d = self.d.copy()
+        d[4000] = math.nan
+        for threads in (1, 3):
+            with self.assertRaisesRegex(ValueError, "ray 4000: a number is not finite"):
+                self.s.first_hits(self.o, d, threads=threads)
+            with self.assertRaisesRegex(ValueError, "ray 4000: a number is not finite"):
+                self.s.occluded(self.o, d, threads=threads)
+        for o, d in (([1, 2], [1, 2, 3]), (np.zeros((3, 3)), np.zeros((4, 3))), (1, 2)):
+            with self.assertRaises(ValueError):
+                self.s.first_hits(o, d)
+        with self.assertRaises(ValueError):
+            self.s.first_hits([0, 0, 0], [1, 0, 0], extent=-1)
+
+
+class Pictures(unittest.TestCase):
+    @unittest.skipUnless(PROGRAMS, "no programs")
+    def test_program(self):
+        """The pixels of the program render, which chooses the same view."""
+        cases = ((TORUS, {}, []),
+                 ("x^2 + y^2 = z^2", {"quality": "full", "antialias": 2, "eye": (5, 1, 2)},
+                  ["--quality", "full", "--antialias", "2", "--eye", "5,1,2"]),
+                 ("x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z", {"extent": (1, 1, 0.5), "centre": (0, 0, 0.25)},
+                  ["--extent", "box:1,1,0.5", "--centre", "0,0,0.25"]),
+                 ("x^3 = y^2 + z^2", {"colour": "#4aa3ff", "inside": (255, 176, 58), "background": "#101820",
+                                      "zoom": 1.5, "turn": (20, -10), "fov": 40},
+                  ["--colour", "#4aa3ff", "--inside", "#ffb03a", "--background", "#101820", "--zoom", "1.5", "--turn",
+                   "20,-10", "--fov", "40"]),
+                 ("x^2 = y^2 z", {"orthographic": 5, "thin": False, "look_at": (0, 0, 1), "up": (1, 0, 0)},
+                  ["--orthographic", "5", "--thin", "none", "--look-at", "0,0,1", "--up", "1,0,0"]))
+        with tempfile.TemporaryDirectory() as folder:
+            for equation, options, words in cases:
+                subprocess.run([PROGRAMS + "/render", equation, "--size", "120x90", "--progress", "never", "--output",
+                                folder + "/it.ppm", *words], check=True, stderr=subprocess.DEVNULL)
+                with open(folder + "/it.ppm", "rb") as file:
+                    pixels = file.read()[-120 * 90 * 3:]
+                drawn = Surface(equation).render((120, 90), **options)
+                self.assertTrue(len(set(pixels)) > 20)
+                self.assertEqual(drawn.tobytes(), pixels, equation)
+
+    def test_png(self):
+        data = Surface(TORUS)._repr_png_()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", data[16:24]), (640, 480))
+        at, kinds, packed = 8, [], b""
+        while at < len(data):
+            size, kind = struct.unpack(">I4s", data[at: at + 8])
+            kinds.append(kind)
+            packed += data[at + 8: at + 8 + size] if kind == b"IDAT" else b""
+            self.assertEqual(struct.unpack(">I", data[at + 8 + size: at + 12 + size])[0],
+                             zlib.crc32(data[at + 4: at + 8 + size]))
+            at += 12 + size
+        self.assertEqual(kinds, [b"IHDR", b"IDAT", b"IEND"])
+        rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(480, 1921)
+        self.assertTrue((rows[:, 1:].reshape(480, 640, 3) == Surface(TORUS).render(threads=1)).all())
+
+    def test_refused(self):
+        s = Surface("x^2 + y^2 + z^2 = 1")
+        for options in ({"size": (0, 9)}, {"size": (9, 65536)}, {"quality": "best"}, {"fov": 180}, {"fov": 0},
+                        {"orthographic": -1}, {"fov": 20, "orthographic": 2}, {"zoom": 0}, {"turn": (math.nan, 0)},
+                        {"eye": (1, 1, 1), "look_at": (1, 1, 1)}, {"eye": (1, 2)}, {"colour": "red"},
+                        {"colour": (1, 2, 256)},
+                        {"inside": "#12345g"}, {"antialias": 0}, {"antialias": 17}, {"threads": 257}, {"extent": 0},
+                        {"centre": (1, 0, 0)}, {"eye": (math.inf, 0, 0)}, {"size": (1, 2, 3)}):
+            with self.assertRaises(ValueError, msg=str(options)):
+                s.render(**{"size": (8, 8), **options})
+        for options in ({"size": 8}, {"size": (8.5, 8)}, {"antialias": 1.5}, {"colour": 5}, {"eye": "abc"}):
+            with self.assertRaises((TypeError, ValueError), msg=str(options)):
+                s.render(**{"size": (8, 8), **options})
+        self.assertTrue((Surface("1 = 0").render((8, 8)) == 255).all())
+
+    def test_interrupt(self):
+        """Ctrl-C ends a picture."""
+        s = Surface(" + ".join(f"cos({i}) {v}^{i}" for v in "xyz" for i in range(3, 21)) + " = 1")
+        timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+        begin = time.perf_counter()
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            s.render((4000, 3000), quality="full", antialias=16, extent=1, eye=(3, 2, 1), look_at=(0, 0, 0))
+        self.assertLess(time.perf_counter() - begin, 15)
+
+
+if __name__ == "__main__":
+    unittest.main()
