@@ -15,7 +15,7 @@ static algsurf_constant *constants_from(PyObject *pairs, Py_ssize_t count) {
 }
 
 /* surface_from_equation(text, ((name, value), ...)): a capsule; or, of an equation that is refused, (status,
- * offset, length, message, text of the status), message None if it is not known where */
+ * offset, length, message), message None if it is not known where */
 static PyObject *surface_from_equation(PyObject *module, PyObject *args) {
     (void)module;
     const char *text;
@@ -32,8 +32,8 @@ static PyObject *surface_from_equation(PyObject *module, PyObject *args) {
     PyEval_RestoreThread(own);
     PyMem_Free(constants);
     if (status == ALGSURF_OK) return capsule_of(surface);
-    return Py_BuildValue("(innzs)", (int)status, (Py_ssize_t)error.offset, (Py_ssize_t)error.length,
-                         error.message, algsurf_status_text(status));
+    return Py_BuildValue("(innz)", (int)status, (Py_ssize_t)error.offset, (Py_ssize_t)error.length,
+                         error.message);
 }
 
 /* surface_from_terms(terms): an algsurf_term each */

@@ -104,6 +104,13 @@ class Numbers(unittest.TestCase):
             real_roots([2 ** (2**20 + 1), 1])  # more limbs than the library takes
 
 
+    def test_kinds_of_errors(self):
+        for status, kind, words in ((-1, ValueError, "out of its range"), (-3, MemoryError, "out of memory"),
+                                    (-7, OverflowError, "overflow"), (-99, ValueError, "unknown status")):
+            with self.assertRaisesRegex(kind, words):
+                algsurf._algsurf.refuse(status)
+
+
 class Answers(unittest.TestCase):
     def test_fields(self):
         r = real_roots([0, 0, 5, -6, 1])

@@ -43,7 +43,7 @@ def exact(x: Any) -> Fraction:
     if hasattr(x, "__index__"):
         return Fraction(operator.index(x))
     ratio = getattr(x, "as_integer_ratio", None)
-    if ratio is None or isinstance(x, (bytes, bytearray)):
+    if ratio is None:
         raise TypeError(f"a coefficient is no number that can be taken exactly: {x!r}")
     if abs(getattr(x, "adjusted", int)()) > DIGITS:  # a Decimal
         raise OverflowError(f"the exponent of {x!r} is too large")
@@ -117,9 +117,10 @@ def _is_exact(a: NDArray[Any]) -> bool:
     return a.dtype.kind in "iub"
 
 
-def polynomials(c: Any) -> Optional[NDArray[Any]]:
+def polynomials(c: Any) -> Optional[Tuple[NDArray[Any], Tuple[int, ...]]]:
     """None: c is one polynomial.  Else an array of shape (m, n + 1), of doubles, of complex doubles, or of
-    objects that have to be taken one by one.  It is copied only if its type or its layout asks for it."""
+    objects that have to be taken one by one, and the shape that answers have.  It is copied only if its type
+    or its layout asks for it."""
     if isinstance(c, (list, tuple)) and c and isinstance(c[0], (list, tuple, np.ndarray)):
         if len({len(row) for row in c}) > 1:
             raise ValueError("polynomials of one call have the same number of coefficients")
@@ -128,17 +129,15 @@ def polynomials(c: Any) -> Optional[NDArray[Any]]:
             kinds = {type(x) for x in c.flat}
             if kinds <= {float, int, complex} and all(type(x) is not int or abs(x) <= WHOLE for x in c.flat):
                 c = c.astype(complex if complex in kinds else float)
-        c = np.asarray(c)
     elif not hasattr(c, "__array__") or hasattr(c, "coef") or np.ndim(c) < 2:
         return None
     c = np.asarray(c)
     if c.shape[-1] == 0:
         raise ValueError("a polynomial without coefficients")
     made: NDArray[Any] = c.reshape(-1, c.shape[-1])
-    if not _is_exact(made):
-        return made.astype(object)
-    made = made.astype(np.complex128 if made.dtype.kind == "c" else np.float64, copy=False)
-    return made if made.flags.aligned and not any(step % 8 for step in made.strides) else made.copy()
+    made = made.astype(object if not _is_exact(made) else complex if made.dtype.kind == "c" else float, copy=False)
+    suits = made.flags.aligned and not any(step % 8 for step in made.strides)
+    return made if suits else made.copy(), c.shape[:-1]
 
 
 def one(c: Any) -> Sequence[Any]:
@@ -170,12 +169,15 @@ def share(work: Callable[[int, int], Optional[Tuple[int, int]]], count: int, thr
     return [(begin + at[0], at[1]) for begin, at in zip(begins, found) if at]
 
 
-def complain(what: str, refused: List[Tuple[int, int]]) -> None:
-    """Raises for the first that is refused, with its number."""
-    if not refused:
-        return
-    index, status = refused[0]
+def refuse(status: int, before: str = "", after: str = "") -> None:
+    """Raises what the status means, with words beside the library's."""
     try:
         _algsurf.refuse(status)
-    except (ValueError, OverflowError) as error:
-        raise type(error)(f"{what} {index}: {error}") from None
+    except (ValueError, OverflowError, MemoryError) as error:
+        raise type(error)(f"{before}{error}{after}") from None
+
+
+def complain(what: str, refused: List[Tuple[int, int]]) -> None:
+    """Raises for the first that is refused, with its number."""
+    for index, status in refused:
+        refuse(status, f"{what} {index}: ")

@@ -42,9 +42,8 @@ class _Roots:
             self._held = np.ndarray((len(self._held) // self._dtype.itemsize,), self._dtype, self._held)
         count = self._count
         if count is not None:
-            none = np.zeros(2, self._dtype)
-            for name in [n for n in self._dtype.names or () if self._dtype[n].kind in "fc"]:
-                none[name] = np.nan * (1 + 1j) if self._dtype[name].kind == "c" else np.nan
+            none = np.zeros(2, self._dtype)  # behind the roots, and of what is refused
+            none.view(np.float64).reshape(2, -1)[:, :-1] = np.nan  # the last double is two integers
             none["multiplicity"][1] = -1
             _algsurf.pad(self._held.view(np.uint8), count, none.view(np.uint8))
             self._count = None
@@ -208,10 +207,9 @@ def _one(call: Any, c: Any, ends: Tuple[Any, ...]) -> Any:
     return _algsurf.roots_integers(*numbers, *ends) if isinstance(numbers, Integers) else call(numbers, *ends)
 
 
-def _many(c: Any, batch: NDArray[Any], ends: Any, threads: int,
+def _many(batch: NDArray[Any], shape: Tuple[int, ...], ends: Any, threads: int,
           strict: bool) -> Tuple[NDArray[Any], NDArray[np.intc]]:
     """The roots of many polynomials, and how many there are of each."""
-    shape = np.shape(c)[:-1] if isinstance(c, np.ndarray) else batch.shape[:1]
     room, is_complex = batch.shape[1] - 1, batch.dtype.kind == "c"
     roots = np.empty((len(batch), max(room, 1)), _REAL if ends else _COMPLEX)
     count = np.empty(len(batch), np.intc)
@@ -270,10 +268,10 @@ def real_roots(c: Union[Polynomial, Polynomials], lo: Ends = -inf, hi: Ends = in
     found = _algsurf.real_roots(c, lo, hi)
     if found is not None:
         return RealRoots(found)
-    batch = polynomials(c)
-    if batch is None:
+    many = polynomials(c)
+    if many is None:
         return RealRoots(_one(_algsurf.real_roots, c, (lo, hi)))
-    return RealRoots(*_many(c, batch, (lo, hi), threads, strict))
+    return RealRoots(*_many(*many, (lo, hi), threads, strict))
 
 
 def complex_roots(c: Union[Polynomial, Polynomials], *, threads: int = 1, strict: bool = True) -> ComplexRoots:
@@ -298,10 +296,10 @@ def complex_roots(c: Union[Polynomial, Polynomials], *, threads: int = 1, strict
     found = _algsurf.complex_roots(c)
     if found is not None:
         return ComplexRoots(found)
-    batch = polynomials(c)
-    if batch is None:
+    many = polynomials(c)
+    if many is None:
         return ComplexRoots(_one(_algsurf.complex_roots, c, ()))
-    return ComplexRoots(*_many(c, batch, (), threads, strict))
+    return ComplexRoots(*_many(*many, (), threads, strict))
 
 
 @overload
@@ -336,19 +334,19 @@ def first_root(c: Any, lo: Any = -inf, hi: Any = inf, *, threads: int = 1) -> An
     found = _algsurf.first_root(c, lo, hi)
     if found is not None:
         return found
-    batch = polynomials(c)
-    if batch is None:
+    many = polynomials(c)
+    if many is None:
         found = _one(_algsurf.first_root, c, (lo, hi))
         return found if isinstance(found, float) else next(iter(RealRoots(found).value.tolist()), inf)
+    batch, shape = many
     if batch.dtype.kind in "cO":
         roots = real_roots(c, lo, hi)
         return np.where(roots.count > 0, roots.value[..., :1].sum(axis=-1), inf)
-    shape = np.shape(c)[:-1]
     out, state, (low, high) = np.empty(len(batch)), np.empty(len(batch), np.uint8), _ends(lo, hi, shape)
 
     def work(a: int, b: int) -> Optional[Tuple[int, int]]:
         own = slice(a, b) if low.size > 1 else slice(None)
-        return _algsurf.first_batch(batch[a:b], low[own], high[own], out[a:b], state[a:b])  # type: ignore[index]
+        return _algsurf.first_batch(batch[a:b], low[own], high[own], out[a:b], state[a:b])
 
     complain("polynomial", share(work, len(batch), threads, batch.shape[1]))
     return out.reshape(shape)

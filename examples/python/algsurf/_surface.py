@@ -1,16 +1,17 @@
 """Surfaces, rays and pictures: see the package."""
 from __future__ import annotations
 
+import functools
 import math
 import operator
 import struct
 import zlib
-from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _algsurf
-from ._coefficients import complain, floats, share
+from ._coefficients import complain, floats, refuse, share
 from ._roots import Value
 
 if TYPE_CHECKING:
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
     Colour = Union[str, Sequence[int]]
 
 _TERM = np.dtype([("i", "i4"), ("j", "i4"), ("k", "i4"), ("a", "f8")], align=True)  # algsurf_term
-_HIT = 1
-_OVERFLOW = -7
+_HIT = 1  # ALGSURF_STATE_HIT
+_NAME = -10  # ALGSURF_E_NAME
 _QUALITIES = ("preview", "standard", "full")
 
 
@@ -108,14 +109,15 @@ class Surface:
     >>> Surface("x^2 + y^2 = b z")
     Traceback (most recent call last):
     ...
-    ValueError: a name in the equation has no value: b, at column 13
+    ValueError: a name in the equation has no value: b (column 13)
     """
 
     def __init__(self, equation: str, /, **values: float) -> None:
         made = _algsurf.surface_from_equation(equation, tuple((name, float(v)) for name, v in values.items()))
         if isinstance(made, tuple):
             _refuse_equation(equation, *made)
-        self._handle, self._text = made, ", ".join([repr(equation)] + [f"{n}={v!r}" for n, v in values.items()])
+        self._handle = made
+        self._equation: Optional[Tuple[str, Dict[str, float]]] = (equation, values)
 
     @classmethod
     def from_terms(cls, terms: Iterable[Tuple[int, int, int, float]]) -> Surface:
@@ -125,21 +127,20 @@ class Surface:
         Surface.from_terms([(0, 1, 0, -1.0), (2, 0, 0, 1.0)])
         """
         surface = cls.__new__(cls)
-        surface._handle = _algsurf.surface_from_terms(np.array([tuple(t) for t in terms], _TERM))
-        surface._text = ""
+        all_terms = [(*map(operator.index, (i, j, k)), float(a)) for i, j, k, a in terms]
+        surface._handle, surface._equation = _algsurf.surface_from_terms(np.array(all_terms, _TERM)), None
         return surface
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return type(self)._restore, (self.terms, self._text)
-
-    @classmethod
-    def _restore(cls, terms: Any, text: str) -> Surface:
-        surface = cls.from_terms(terms)
-        surface._text = text
-        return surface
+        if self._equation is None:
+            return type(self).from_terms, (self.terms.tolist(),)
+        return functools.partial(type(self), **self._equation[1]), (self._equation[0],)
 
     def __repr__(self) -> str:
-        return f"Surface({self._text})" if self._text else f"Surface.from_terms({self.terms.tolist()})"
+        if self._equation is None:
+            return f"Surface.from_terms({self.terms.tolist()})"
+        values = [f", {name}={value!r}" for name, value in self._equation[1].items()]
+        return f"Surface({self._equation[0]!r}{''.join(values)})"
 
     @property
     def degree(self) -> int:
@@ -317,17 +318,11 @@ class Surface:
         return png(self.render())
 
 
-def _refuse_equation(equation: str, status: int, offset: int, length: int, message: Optional[str], text: str) -> None:
-    if message is not None:
-        data = equation.encode()
-        before, word = data[:offset].decode(errors="replace"), data[offset : offset + length].decode(errors="replace")
-        what = word if status == -10 else f"{message}{', not ' + repr(word) if word else ''}"
-        text = f"{text}: {what}, at column {len(before) + 1}"
-    if status == _OVERFLOW:
-        raise OverflowError(text)
-    if status == -3:
-        raise MemoryError(text)
-    raise ValueError(text)
+def _refuse_equation(equation: str, status: int, offset: int, length: int, message: Optional[str]) -> None:
+    data = equation.encode()
+    before, word = (part.decode(errors="replace") for part in (data[:offset], data[offset : offset + length]))
+    where = f"column {len(before) + 1}" + (f": {word!r}" if word and status != _NAME else "")
+    refuse(status, after=f": {word if status == _NAME else message} ({where})" if message else "")
 
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
