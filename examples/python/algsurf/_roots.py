@@ -50,8 +50,9 @@ class _Roots:
         return self._held
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
-        made = self.array if dtype is None else self.array.astype(dtype)
-        return made.copy() if copy and made is self.array else made
+        made = self.array["value"]
+        made = np.repeat(made, self.multiplicity) if made.ndim == 1 else made.copy()
+        return made if dtype is None else made.astype(dtype)
 
     def __len__(self) -> int:
         return len(self.array)
@@ -96,7 +97,8 @@ class RealRoots(_Roots):
 
     `value` is within one unit in the last place of the root, `lo` and `hi` enclose it: equal, then this is the
     root exactly, or neighbouring doubles.  `sign` is that of the polynomial just before the root.  r[i] is one
-    of them, with the same names; r.array, and np.asarray(r), all of them as a structured array.
+    of them, with the same names; r.array is all of them as a structured array, np.asarray(r) their values, each
+    as often as its multiplicity.
 
     >>> for root in real_roots([0, 0, 5, -6, 1]):  # t^2 (t - 1) (t - 5)
     ...     print(root.value, root.multiplicity)
@@ -131,8 +133,11 @@ class ComplexRoots(_Roots):
 
     `value` is the root, in a box from `lo` (below, left) to `hi` (above, right) that encloses it and no other.
     `is_real` tells which are proved real; the other roots of a real polynomial are in conjugate pairs.  r[i] is
-    one of them, its box in re_lo, re_hi, im_lo, im_hi; r.array, and np.asarray(r), all of them as a structured
-    array.
+    one of them, its box in re_lo, re_hi, im_lo, im_hi; r.array is all of them as a structured array,
+    np.asarray(r) their values, each as often as its multiplicity: what np.roots would say, and np.poly takes.
+
+    >>> np.poly(complex_roots([-4, 0, 3, 0, 1]))
+    array([ 1.,  0.,  3.,  0., -4.])
     """
 
     __slots__ = ()
@@ -164,18 +169,6 @@ class ComplexRoots(_Roots):
         value = root["value"].item() + 0  # no -0
         times = f", {root['multiplicity']} times" if root["multiplicity"] > 1 else ""
         return (f"{value.real!r}, real" if root["is_real"] else str(value).strip("()")) + times
-
-    @property
-    def repeated(self) -> NDArray[np.complex128]:
-        """The roots of one polynomial, each as often as its multiplicity: np.poly makes the polynomial of them,
-        divided by its leading coefficient, highest degree first.
-
-        >>> np.poly(complex_roots([-4, 0, 3, 0, 1]).repeated)
-        array([ 1.,  0.,  3.,  0., -4.])
-        """
-        if self.array.ndim != 1:
-            raise ValueError("repeated: of one polynomial at a time")
-        return np.repeat(self.value, self.multiplicity)
 
 
 class Value(NamedTuple):

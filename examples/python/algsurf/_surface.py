@@ -52,7 +52,7 @@ class Hits:
     def __repr__(self) -> str:
         if self.t.ndim == 0:
             return f"<a hit at t = {self.t.item()!r}>" if self.found else "<a miss>"
-        return f"<{np.count_nonzero(self.found)} hits of {self.t.size} rays: shape {self.t.shape}>"
+        return f"<{np.count_nonzero(self.found)} of {self.t.size} rays hit: shape {self.t.shape}>"
 
 
 def _extent(size: Optional[Size], centre: Triple) -> Optional[Tuple[int, Tuple[float, ...], Tuple[float, ...]]]:
@@ -219,7 +219,7 @@ class Surface:
         >>> torus = Surface("(x^2 + y^2 + z^2 + 3)^2 = 16 (x^2 + y^2)")
         >>> hits = torus.first_hits([[-4, 0, 0], [-4, 5, 0]], [1, 0, 0])
         >>> hits
-        <1 hits of 2 rays: shape (2,)>
+        <1 of 2 rays hit: shape (2,)>
         >>> hits.t, hits.normal[0]
         (array([ 1., inf]), array([-1.,  0.,  0.]))
         """
