@@ -138,7 +138,7 @@ class Rays(unittest.TestCase):
     def test_broadcast_and_ends(self):
         hits = self.s.first_hits([-4, 0, 0], [[1, 0, 0], [0, 1, 0]])
         self.assertEqual(hits.t.tolist(), [1, math.inf])
-        self.assertEqual(repr(hits), "<1 hits of 2 rays: shape (2,)>")
+        self.assertEqual(repr(hits), "<1 of 2 rays hit: shape (2,)>")
         one = self.s.first_hits((-4, 0, 0), (2, 0, 0))
         self.assertEqual((one.t.shape, float(one.t), one.position.tolist()), ((), 0.5, [-3, 0, 0]))
         self.assertEqual(repr(one), "<a hit at t = 0.5>")
