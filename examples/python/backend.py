@@ -22,7 +22,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE / "source" if (HERE / "source").exists() else HERE.parent.parent  # of an sdist, of the repository
-EXAMPLES = ["fit.c", "fit_extent.c", "view.c"]  # how the program render fits a view
+EXAMPLES = ["fit.c", "fit_extent.c", "view.c"]  # how the program render fits a view,
+EXAMPLES += [f"mesh_{part}.c" for part in ("balance", "data", "make", "net", "open", "rows", "space", "threads", "vertex")]
 LIMITED = sys.version_info >= (3, 11) and not sysconfig.get_config_var("Py_GIL_DISABLED")
 FLAGS = ["-std=c11", "-O2", "-DNDEBUG", "-fPIC", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden",
          "-ffunction-sections", "-fdata-sections"]

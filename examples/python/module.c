@@ -1,6 +1,8 @@
 /* module.c - see module.h. */
 #include "module.h"
 
+#include <math.h>
+
 static const char NAME[] = "algsurf_surface";
 
 PyObject *refuse(int status) {
@@ -95,6 +97,20 @@ int holds(const taken *t, int i, Py_ssize_t count, size_t size) {
     return 0;
 }
 
+int is_interrupted(int done, int total, void *data) {
+    patience *p = data;
+    struct timespec now;
+    (void)done, (void)total;
+    (void)timespec_get(&now, TIME_UTC);
+    if (fabs((double)(now.tv_sec - p->last.tv_sec) + 1e-9 * (double)(now.tv_nsec - p->last.tv_nsec)) < 0.1)
+        return 0;
+    p->last = now;
+    PyEval_RestoreThread(p->thread);
+    const int stop = PyErr_CheckSignals() != 0;
+    p->thread = PyEval_SaveThread();
+    return stop;
+}
+
 /* ---- the module ---- */
 
 static PyObject *status_refuse(PyObject *module, PyObject *number) {
@@ -112,7 +128,7 @@ static PyMethodDef methods[] = {
     {"refuse", status_refuse, METH_O, NULL}, {"version", version, METH_NOARGS, NULL}, METHODS_END};
 
 static int add_all(PyObject *module) {
-    PyMethodDef *const all[] = {roots_methods, batch_methods, surface_methods, picture_methods};
+    PyMethodDef *const all[] = {roots_methods, batch_methods, surface_methods, picture_methods, mesh_methods};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (PyModule_AddFunctions(module, all[i]) != 0) return -1;
     return 0;

@@ -8,6 +8,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 #include <string.h>
+#include <time.h>
 
 #include "algsurf/algsurf.h"
 
@@ -17,7 +18,7 @@
     { NULL, NULL, 0, NULL }
 
 /* The methods of each file. */
-extern PyMethodDef roots_methods[], batch_methods[], surface_methods[], picture_methods[];
+extern PyMethodDef roots_methods[], batch_methods[], surface_methods[], picture_methods[], mesh_methods[];
 
 /* Raises what the status means, with the library's words, and returns null. */
 PyObject *refuse(int status);
@@ -55,6 +56,15 @@ int holds(const taken *t, int i, Py_ssize_t count, size_t size);
 
 /* A surface in a capsule, which owns it. */
 PyObject *capsule_of(algsurf_surface *surface);
+
+/* Asks ten times a second whether the user has pressed Ctrl-C, while other threads run. */
+typedef struct patience {
+    PyThreadState *thread; /* as PyEval_SaveThread gave it */
+    struct timespec last;
+} patience;
+
+/* For what takes long: 1 if so, with the error raised; data is a patience. */
+int is_interrupted(int done, int total, void *data);
 
 /* None if status is OK, else (index, status): what was refused first. */
 PyObject *refused_at(Py_ssize_t index, int status);

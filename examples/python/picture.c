@@ -1,6 +1,5 @@
 /* picture.c - pictures as the program render draws them: ../fit.c chooses what of the view is not given. */
 #include <math.h>
-#include <time.h>
 
 #include "fit.h"
 #include "module.h"
@@ -12,26 +11,6 @@ typedef struct look {
     double outside[3], inside[3], background[3]; /* sRGB, 0 to 255 */
     double quality, antialias, thin;
 } look;
-
-/* Asks ten times a second whether the user has pressed Ctrl-C. */
-typedef struct patience {
-    PyThreadState *thread;
-    struct timespec last;
-} patience;
-
-static int is_cancelled(int rows_done, int rows_total, void *data) {
-    patience *p = data;
-    struct timespec now;
-    (void)rows_done, (void)rows_total;
-    (void)timespec_get(&now, TIME_UTC);
-    if (fabs((double)(now.tv_sec - p->last.tv_sec) + 1e-9 * (double)(now.tv_nsec - p->last.tv_nsec)) < 0.1)
-        return 0;
-    p->last = now;
-    PyEval_RestoreThread(p->thread);
-    const int stop = PyErr_CheckSignals() != 0;
-    p->thread = PyEval_SaveThread();
-    return stop;
-}
 
 static cli_vector vector_of(const double x[3]) { return (cli_vector){{x[0], x[1], x[2]}, !isnan(x[0])}; }
 
@@ -112,7 +91,7 @@ static PyObject *render(PyObject *module, PyObject *const *args, Py_ssize_t n) {
                                       .width = (int)t.whole[0],
                                       .height = (int)t.whole[1],
                                       .threads = (int)t.whole[2],
-                                      .progress = is_cancelled,
+                                      .progress = is_interrupted,
                                       .progress_data = &waiting};
     waiting.thread = PyEval_SaveThread();
     const int status = draw(&t, &options, t.buffer[1].buf);

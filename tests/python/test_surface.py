@@ -240,5 +240,53 @@ class Pictures(unittest.TestCase):
         self.assertLess(time.perf_counter() - begin, 15)
 
 
+def volume(m):
+    a, b, c = m.points[m.triangles].transpose(1, 0, 2)
+    return (np.cross(a, b) * c).sum() / 6
+
+
+class Meshes(unittest.TestCase):
+    def test_closed(self):
+        m = Surface(TORUS).mesh(64)
+        edges = np.concatenate([m.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+        self.assertEqual(len(np.unique(edges, axis=0)), len(edges))  # once in each direction
+        self.assertTrue((np.sort(edges[:, ::-1], axis=0) == np.sort(edges, axis=0)).all())
+        self.assertEqual(len(m.points) - len(edges) // 2 + len(m.triangles), 0)
+        self.assertAlmostEqual(volume(m), 4 * math.pi**2, delta=1e-3)  # radii 2 and 1
+        self.assertTrue(np.allclose(np.linalg.norm(m.normals, axis=1), 1, atol=1e-6))
+        self.assertEqual((m.touched, m.undecided, m.sharp), (0, 0, 0))
+        again = Surface(TORUS).mesh(64, threads=3)
+        self.assertTrue((m.points == again.points).all() and (m.triangles == again.triangles).all())
+
+    def test_extent(self):
+        s = Surface("z = 0")
+        m = s.mesh(20, extent=(1, 2, 3), centre=(5, 0, 0), on_surface=True)
+        self.assertTrue((m.points[:, 2] == 0).all())
+        self.assertLess(abs(m.points[:, :2].min(axis=0) - [4, -2]).max(), 1e-6)
+        self.assertAlmostEqual(volume(s.mesh(20, extent=(1, 1, 1), solid=True)), 4, delta=1e-6)
+        self.assertEqual(len(Surface("1 = 0").mesh(8).triangles), 0)
+
+    def test_as_the_program(self):
+        if not PROGRAMS:
+            self.skipTest("no programs")
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([f"{PROGRAMS}/mesh", TORUS, "--cells", "40", "--output", f"{folder}/a.obj"], check=True,
+                           stderr=subprocess.DEVNULL)
+            with open(f"{folder}/a.obj", encoding="utf-8") as file:
+                lines = [line.split() for line in file]
+        m = Surface(TORUS).mesh(40)
+        points = np.array([line[1:4] for line in lines if line and line[0] == "v"], float)
+        self.assertTrue(np.allclose(points, m.points, atol=1e-6))
+        self.assertEqual(len([line for line in lines if line and line[0] == "f"]), len(m.triangles))
+
+    def test_refused(self):
+        s = Surface("x = 0")
+        for options in ({"cells": 3}, {"cells": 2049}, {"extent": 0}, {"extent": (1, 2)}, {"threads": 257}):
+            with self.assertRaises(ValueError, msg=str(options)):
+                s.mesh(**options)
+        with self.assertRaises(TypeError):
+            s.mesh(8.5)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -5,7 +5,7 @@
     count_roots(c, lo, hi)    how many different real roots
     first_root(c, lo, hi)     the smallest real root
     evaluate(c, x)            values with bounds on their errors
-    Surface(equation, a=1.2)  an algebraic surface: first hits of rays, pictures
+    Surface(equation, a=1.2)  an algebraic surface: first hits of rays, pictures, meshes
 
 A polynomial is its coefficients, lowest degree first: [-2, 0, 1] is t^2 - 2.
 
@@ -33,8 +33,9 @@ leaves the range of floats, MemoryError, and TypeError for what is no number.
 """
 from . import _algsurf
 from ._roots import ComplexRoots, RealRoots, Value, complex_roots, count_roots, evaluate, first_root, real_roots
+from ._mesh import Mesh
 from ._surface import Hits, Surface
 
 __version__: str = _algsurf.version()
-__all__ = ["ComplexRoots", "Hits", "RealRoots", "Surface", "Value", "complex_roots", "count_roots", "evaluate",
+__all__ = ["ComplexRoots", "Hits", "Mesh", "RealRoots", "Surface", "Value", "complex_roots", "count_roots", "evaluate",
            "first_root", "real_roots"]
