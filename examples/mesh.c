@@ -50,8 +50,9 @@ static void make_within(run *r, double tolerance, mesh *m) {
         const double off = mesh_deviation(m, r->surface);
         if (off <= tolerance || cells >= MESH_TOLERANCE_CELLS) {
             progress_end(&r->bar);
-            cli_complain("%d cells: the mesh is within %.3g of the surface%s", cells, off,
-                         off <= tolerance ? "" : ", not within --tolerance");
+            cli_complain("%d cells: triangles are within %.3g of the surface, as far as their centres and "
+                         "smooth vertices tell%s",
+                         cells, off, off <= tolerance ? "" : ": not within --tolerance");
             return;
         }
         const double times = fmin(fmax(1.05 * sqrt(off / tolerance), 1.3), 4);
@@ -93,8 +94,13 @@ static void make_mesh(run *r) {
     algsurf_camera camera = view_camera(&r->shown, 0, 1);
     mesh_report_thin(r->surface, &r->shown.extent, a->clip.plane, a->clip.count, &camera, r->threads);
     if (m.triangles == 0)
-        cli_fail(CLI_BAD_INPUT, "nothing to mesh: the lattice meets no surface at which the equation's sides "
-                                "change their order; more --cells, another --extent");
+        cli_fail(
+            CLI_BAD_INPUT, "nothing to mesh: %s",
+            m.doubts[MESH_TOUCHED].count > 0
+                ? "lines of the lattice touch the surface and do not cross it, as where the equation is a "
+                  "square: write its root"
+                : "no line of the lattice crosses the surface in this extent; another --extent, or more "
+                  "--cells");
     if (a->thickness > 0 && !mesh_open_thicken(&m, a->thickness)) cli_no_memory();
     mesh_measures of;
     if (!mesh_measure(&m, &of)) cli_no_memory();

@@ -20,11 +20,12 @@ typedef struct mesh_options {
 } mesh_options;
 
 /* Makes the mesh of a surface in a ball or a box; to be freed by mesh_free, whatever is returned.
- * Every edge has two triangles, or lies on the boundary of the extent and has one; a solid has no boundary.
+ * Every edge has two triangles, or lies on the boundary of the extent or on a plane and has one; a solid has
+ * no boundary.
  * Each vertex is in its own cell, or near it (mesh_vertex.h, mesh_balance.h).  The same mesh for every
  * runner.
  * Returns OK or CANCELLED.  Errors: E_ARGUMENT, E_NO_MEMORY, E_CAPACITY (above MESH_MOST_POINTS), and
- * those of algsurf_intersect_all.  Cost: 3 n^2 lines for n cells, and a microsecond or two
+ * those of algsurf_intersect_all.  Cost: 3 n^2 lines for n cells along each axis, and a microsecond or two
  * for each vertex.  Memory: some 200 bytes n^2, and 75 bytes a triangle. */
 algsurf_status mesh_make(const algsurf_surface *surface, const algsurf_extent *extent,
                          const mesh_options *options, mesh *made);

@@ -64,7 +64,7 @@ static const cli_option options_table[] = {
      "makes a wall of thickness D about the surface, D/2 to each side, closed along its\n"
      "boundary; for printing.  The wall meets itself where the surface bends more\n"
      "sharply than a ball of radius D/2, at singular points, and between sheets that are\n"
-     "nearer than D",
+     "nearer than D: that is not looked for",
      set_length, FIELD(thickness)},
     {"--colour", "COLOUR",
      "the colour of the outer side in .ply and .glb: a name of CSS, as teal, or #rrggbb.\n"
@@ -93,7 +93,8 @@ static const cli_program program = {
              "cell gets a vertex for each sheet of the surface in it.  Standard error tells what was\n"
              "made: triangles, pieces, whether it is watertight (and where not), Euler's number, size,\n"
              "and where the surface has more than the lattice shows: several crossings of one edge of\n"
-             "a cell, singular points, points or lines without width.  There more cells may help.",
+             "a cell, singular points, points or lines without width.  For crossings and\n"
+             "singular points more cells may help.",
     .options = options_table,
     .positional = offsetof(mesh_arguments, surface.name),
     .examples = "mesh torus --output torus.stl\n"
@@ -115,7 +116,8 @@ static char *file_for(const char *name, int is_file) {
 
 static void check_output(mesh_arguments *a, const char *given) {
     if (!a->output) {
-        const char *name = a->surface.file ? given : a->surface.name ? a->surface.name : "surface";
+        const char *name = a->surface.name && *a->surface.name ? a->surface.name : "surface";
+        if (a->surface.file) name = given;
         a->output = a->default_output = file_for(name, a->surface.file != NULL);
     }
     a->format = MESH_STL;
@@ -129,6 +131,7 @@ mesh_arguments mesh_parse_options(int argc, char **argv) {
     mesh_arguments a = {.cells = 0};
     cli_parse(&program, argc, argv, &a);
     const char *given = a.surface.name;
+    const int coloured = a.outside.given || a.inside.given;
     cli_settle_surface(&a.surface);
     if (a.surface.file) {
         view_follow(&a.view, a.surface.file);
@@ -144,5 +147,7 @@ mesh_arguments mesh_parse_options(int argc, char **argv) {
         cli_fail(CLI_BAD_INPUT, "--tolerance: begins with --cells, at most %d, got %d", MESH_TOLERANCE_CELLS,
                  a.cells);
     check_output(&a, given);
+    if (coloured && (a.format == MESH_STL || a.format == MESH_OBJ))
+        cli_fail(CLI_BAD_INPUT, "--colour, --inside: .stl and .obj have no colours; .ply and .glb have");
     return a;
 }

@@ -11,7 +11,7 @@ enum { MESH_TOLERANCE_CELLS = 1024 }; /* --tolerance goes no farther */
 
 typedef struct mesh_arguments {
     cli_surface surface;
-    view_options view; /* extent and centre alone are options */
+    view_options view; /* only extent and centre have options */
     cli_planes clip;
     const char *output;
     char *default_output; /* to be freed; null when --output is given */

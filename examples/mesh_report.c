@@ -28,10 +28,11 @@ static void report_doubts(const mesh_doubt doubts[MESH_DOUBTS]) {
         [MESH_TOUCHED] =
             "places where a line of the lattice touches the surface, which is not in the mesh there",
         [MESH_UNDECIDED] = "places of lattice lines where it is undecided whether the surface is there",
-        [MESH_SHARP] = "cells in which the surface turns by more than 60 degrees: singular, or more --cells"};
+        [MESH_SHARP] =
+            "cells in which the surface turns by more than 60 degrees: singular, or too few cells"};
     for (int i = 0; i < MESH_DOUBTS; i++)
         if (doubts[i].count > 0)
-            cli_complain("%s: %zu, near %.6g,%.6g,%.6g", what[i], doubts[i].count, doubts[i].at[0],
+            cli_complain("%zu %s; one is near %.6g,%.6g,%.6g", doubts[i].count, what[i], doubts[i].at[0],
                          doubts[i].at[1], doubts[i].at[2]);
 }
 

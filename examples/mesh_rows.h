@@ -44,7 +44,8 @@ enum { MESH_NEGATIVE = 1, MESH_IN_EXTENT = 2, MESH_INSIDE = 3 };
 
 /* Finds the crossings of the lines along `axis` in plane `at` of the lattice: of the planes across z for axis
  * 0 and 1, which hold a line for each y or x; of those across y for axis 2, a line for each x.  The row is
- * empty or that of an earlier call. signs  for axis 0, null else: the bits of the plane's points, x fastest
+ * empty or that of an earlier call.
+ *   signs  for axis 0 the bits of the plane's points, x fastest; else null
  * Errors: E_NO_MEMORY, and those of algsurf_intersect_all. */
 algsurf_status mesh_row_trace(const mesh_space *space, int axis, int at, const algsurf_intersect_options *how,
                               mesh_row *row, unsigned char *signs);
