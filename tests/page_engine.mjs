@@ -350,6 +350,7 @@ const calls = [
     (state) => engine.isolate(state, place),
     (state) => engine.refine(state, place, "brent"),
     (state) => engine.complexRoots(state, place),
+    (state) => engine.mesh(state, { format: "glb", cells: 8 }),
 ];
 for (const [name, state] of Object.entries(bad)) {
     const { code } = thrown(() => calls[0](state));
@@ -369,6 +370,9 @@ for (const strange of [
         const { code = "" } = thrown(() => call(strange));
         check(code === "nothing" || (/^E_/.test(code) && code !== "E_TRAP"), `${strange.equation.slice(0, 30)}: ${code}`);
     }
+for (const options of [{}, { format: "ply", cells: 8 }, ...[NaN, 3, 1e9, "many"].map((cells) => ({ format: "stl", cells }))])
+    check(thrown(() => engine.mesh(usual, options)).code === "E_ARGUMENT", `triangles of ${JSON.stringify(options)}`);
+check(thrown(() => engine.mesh(states.complex, { format: "stl", cells: 8 })).code === "E_ARGUMENT", "triangles of complex space");
 for (const options of [{ width: 0 }, { width: NaN }, { height: 1e9 }, { rowBegin: 5, rowEnd: 5 }, { rowEnd: 1000 }, { quality: "best" }, { antialias: 99 }]) {
     const { code } = thrown(() => engine.render(usual, { ...size, ...options }));
     check(code === "E_ARGUMENT", `${JSON.stringify(options)}: ${code}`);

@@ -4,10 +4,12 @@
  *     glue_picture.c  pictures as render draws them, and the extent and the camera that it chooses
  *     glue_ray.c      one ray: its chord, its polynomial, its hits and the search for them
  *     glue_roots.c    all complex roots of the polynomial along a ray
+ *     glue_nothing.c  why nothing is seen
+ *     glue_mesh.c     triangles, as the program mesh makes them
  * Each returns an algsurf_status or, where it says so, a count, which is then negative in its place.
  *
  * They are compiled for WebAssembly together with the library, ../npm/glue.c and the programs' own fit.c,
- * view.c, axes.c and render_look.c, so that a state means here what the options mean there.
+ * view.c, axes.c, render_look.c and mesh_*.c, so that a state means here what the options mean there.
  */
 #ifndef PAGE_GLUE_H
 #define PAGE_GLUE_H

@@ -1,4 +1,4 @@
-// take.js - the panel "take it along": link, command, C program, file, picture, film.
+// take.js - the panel "take it along": link, command, C program, file, picture, film, triangles.
 import { axesOf } from "../picture/camera.js";
 import { commandOf, stemOf } from "./command.js";
 import { button, choice, numberField, row } from "../base/controls.js";
@@ -10,6 +10,8 @@ import { programOf } from "./program.js";
 
 const MOST_SIDE = 16384, MOST_PIXELS = 1 << 27, MOST_PICTURES = 600;
 const PIXELS_OF_FILM = 1 << 29;
+const CELLS = [64, 128, 256], USUAL_CELLS = 128; // along the longest side: of a mesh
+const MESH_TYPES = { stl: "model/stl", glb: "model/gltf-binary" };
 
 /** services: { store, painter, text, notify(text), link(): address of the state, openFile() } */
 export class Take {
@@ -58,6 +60,13 @@ export class Take {
         this.rate.follow(24);
         const formats = [["apng", text("take.film.apng")], ...(webmType() ? [["webm", "WebM"]] : [])];
         this.format = choice(formats, () => {});
+        this.cells = choice(CELLS.map((count) => [count, count]), () => {});
+        this.cells.value = USUAL_CELLS;
+        this.meshes = Object.keys(MESH_TYPES).map((format) =>
+            button(text("take.mesh.save", { format }), () => this.#saveMesh(format)),
+        );
+        this.meshHint = element("p", { class: "hint" });
+        this.meshReport = element("p", { class: "hint", role: "status" });
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("take.progress") });
         this.working = element(
             "div",
@@ -68,10 +77,15 @@ export class Take {
         this.start = [
             button(text("take.png"), () => this.savePicture(), { class: "main" }),
             button(text("take.film"), () => this.#saveFilm()),
+            ...this.meshes,
         ];
         this.#build(room);
         this.#follow(services.store.get());
-        services.store.subscribe((state, { changed }) => changed.has("parameters") && this.#follow(state));
+        this.#allow();
+        services.store.subscribe((state, { changed }) => {
+            if (changed.has("parameters")) this.#follow(state);
+            if (changed.has("complex")) this.#allow();
+        });
     }
 
     #build(room) {
@@ -97,6 +111,11 @@ export class Take {
             row(text("take.film.rate"), this.rate),
             row(text("take.film.format"), this.format),
             element("div", { class: "buttons" }, this.start[1]),
+            element("h3", {}, text("take.mesh")),
+            this.meshHint,
+            row(text("take.mesh.cells"), this.cells),
+            element("div", { class: "buttons" }, ...this.meshes),
+            this.meshReport,
             this.working,
             element("h3", {}, text("take.file")),
             element("p", { class: "hint" }, text("take.file.hint")),
@@ -119,6 +138,14 @@ export class Take {
         const pairs = [["turn", text("take.film.turn")], ...letters];
         this.what.replaceChildren(...pairs.map(([value, label]) => element("option", { value }, label)));
         this.what.value = pairs.some(([value]) => value === before) ? before : "turn";
+    }
+
+    /** Which buttons may be pressed: none while something is saved; complex space has no triangles. */
+    #allow() {
+        const { store, text } = this.#services, { complex } = store.get();
+        for (const start of this.start) start.disabled = this.#abort !== null;
+        if (complex) for (const save of this.meshes) save.disabled = true;
+        this.meshHint.textContent = text(complex ? "take.mesh.complex" : "take.mesh.hint");
     }
 
     // ---- words ----
@@ -197,7 +224,7 @@ export class Take {
         if (this.#abort) return;
         this.#abort = new AbortController();
         this.working.hidden = false;
-        for (const start of this.start) start.disabled = true;
+        this.#allow();
         this.progress.value = 0;
         try {
             await use({ signal: this.#abort.signal, onProgress: (share) => (this.progress.value = share) });
@@ -206,7 +233,7 @@ export class Take {
         } finally {
             this.#abort = null;
             this.working.hidden = true;
-            for (const start of this.start) start.disabled = false;
+            this.#allow();
         }
     }
 
@@ -246,6 +273,30 @@ export class Take {
             );
             download(film, `${stemOf(state)}.${format === "webm" ? "webm" : "png"}`);
         });
+    }
+
+    // ---- triangles ----
+
+    #saveMesh(format) {
+        const { store, painter } = this.#services;
+        const state = store.get(), cells = Number(this.cells.value);
+        this.meshReport.textContent = "";
+        return this.#work(async (how) => {
+            const made = await painter.mesh(plain(state), { format, cells }, how);
+            this.meshReport.textContent = this.#said(made, state.picture);
+            if (!made.bytes) return;
+            download(new Blob([made.bytes], { type: MESH_TYPES[format] }), `${stemOf(state)}.${format}`);
+        });
+    }
+
+    /** What the triangles are, and what they cannot show. */
+    #said({ triangles, open, doubts }, picture) {
+        const { text } = this.#services;
+        if (triangles === 0) return text("take.mesh.none");
+        const words = [text(open ? "take.mesh.open" : "take.mesh.closed", { triangles })];
+        if (doubts) words.push(text("take.mesh.doubts", { doubts }));
+        if (picture?.thin) words.push(text("take.mesh.thin"));
+        return words.join(" ");
     }
 }
 

@@ -25,6 +25,7 @@ const STATES = ["miss", "hit", "undecided", "thin"];
 const QUALITIES = { preview: 0, standard: 1, full: 2 };
 const METHODS = { default: 0, brent: 1, bisection: 2, "regula-falsi": 3 };
 const AXES = 1, BOX = 2; // of axes.h
+const MESHES = { stl: 0, glb: 3 }; // of mesh_write.h
 const ENGINES = ["none", "doubles", "integers"];
 
 /** What a call that cannot be answered throws; plain enough to be sent by postMessage. */
@@ -149,6 +150,7 @@ export class Engine {
     #algsurf;
     #surface = null; // { key, surface, degree }
     #scene = null; // { key, address }
+    #onProgress = null; // of mesh()
 
     static async load(source) {
         return new Engine(await compile(source ?? new URL("../algsurf.wasm", import.meta.url)));
@@ -171,7 +173,12 @@ export class Engine {
             WebAssembly.Module.imports(this.#compiled).map(({ name }) => [name, () => ENOSYS]),
         );
         const system = { ...nothing, ...systemOf(() => instance.exports.memory) };
-        const instance = new WebAssembly.Instance(this.#compiled, { wasi_snapshot_preview1: system });
+        const progress = (done, total) => {
+            this.#onProgress(done / total);
+            return 0;
+        };
+        const imports = { wasi_snapshot_preview1: system, page: { progress } };
+        const instance = new WebAssembly.Instance(this.#compiled, imports);
         instance.exports._initialize();
         this.#module = new Module(instance.exports);
         this.#algsurf = new Algsurf(this.#module);
@@ -413,6 +420,29 @@ export class Engine {
                 };
                 if (t) picture.t = module.doubles(far, pixels).slice();
                 return picture;
+            });
+        });
+    }
+
+    // ---- triangles ----
+
+    /** The surface as the program mesh makes it, as bytes of a file of `format`, null where there are no
+     * triangles; so many of them, edges where it is open, places that may show less than there is. */
+    mesh(state, { format, cells }, onProgress = () => {}) {
+        return this.#answer(() => {
+            if (state.complex) throw refused("complex space has no triangles");
+            if (!Object.hasOwn(MESHES, format)) throw refused(`no such format: ${format}`);
+            const { wasm } = this.#module;
+            const { address: scene } = this.#sceneOf(state);
+            const { address: surface } = this.#surfaceOf(state);
+            this.#onProgress = onProgress;
+            return this.#withState(state, 5, (numbers, told) => {
+                const file = wasm.page_mesh(surface, scene, numbers, MESHES[format], cells, told);
+                const [status, length, open, triangles, doubts] = this.#doubles(told, 5);
+                this.#checked(status);
+                const bytes = triangles > 0 ? this.#module.bytes(file, length).slice() : null;
+                wasm.free(file);
+                return { bytes, triangles, open, doubts };
             });
         });
     }

@@ -352,6 +352,11 @@ export class Painter {
         });
     }
 
+    /** Triangles for saving, as Engine makes them; by a worker of their own. */
+    mesh(state, options, how) {
+        return this.#pool.alone("mesh", [state, options], how);
+    }
+
     /** A call of Engine; the last argument may be { latest: true }: an older ask of that kind is given up. */
     ask(kind, ...args) {
         if (!KINDS.includes(kind)) return Promise.reject(new TypeError(`no such ask: ${kind}`));

@@ -104,6 +104,28 @@ export class Pool {
         }
     }
 
+    /** The answer of a worker of its own, that ends with it: nobody waits behind what takes long.
+     * onProgress(share from 0 to 1), signal: an AbortSignal. */
+    alone(kind, args, { onProgress, signal }) {
+        const thread = newThread();
+        return new Promise((resolve, reject) => {
+            signal.addEventListener("abort", () => reject(signal.reason));
+            thread.onerror = (event) => {
+                event.preventDefault();
+                reject({ code: "E_CRASH", message: `a worker stopped: ${event.message}` });
+            };
+            thread.onmessage = ({ data: { share, result, error } }) => {
+                if (share !== undefined) onProgress(share);
+                else if (error) reject(error);
+                else if (result) resolve(result);
+            };
+            module.then((start) => {
+                thread.postMessage({ start });
+                thread.postMessage({ job: 1, kind, args });
+            }, reject);
+        }).finally(() => thread.terminate());
+    }
+
     // ---- starting and replacing ----
 
     #start(thread = newThread()) {

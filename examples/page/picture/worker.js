@@ -6,9 +6,9 @@
 //     { cancel: [job, ...] }                          those not begun are answered { job, cancelled: true }
 //     { crash: true }                                 for tests: throws, as a worker that crashes does
 //
-// A job that is begun is told by { begun: job }.  Each job is answered by { job, result } or
-// { job, error: { code, message, ... } }.  Between two jobs messages are read, so that a cancelled one is not
-// begun; urgent ones come first.
+// A job that is begun is told by { begun: job }, how far a mesh is by { job, share }.  Each job is answered by
+// { job, result } or { job, error: { code, message, ... } }.  Between two jobs messages are read, so that a
+// cancelled one is not begun; urgent ones come first.
 import { Engine, EngineError } from "./engine.js";
 
 let engine = null;
@@ -22,10 +22,14 @@ function plain(error) {
 }
 
 /** What a job gives, and the buffers that go with it. */
-function done({ kind, args }) {
+function done({ job, kind, args }) {
     if (kind === "band") {
         const picture = engine.render(...args);
         return [picture, [picture.data.buffer]];
+    }
+    if (kind === "mesh") {
+        const made = engine.mesh(...args, (share) => postMessage({ job, share }));
+        return [made, made.bytes ? [made.bytes.buffer] : []];
     }
     if (!["compile", "fit", "pick", "isolate", "refine", "complexRoots", "nothing", "room"].includes(kind))
         throw new EngineError("E_ARGUMENT", `no such call: ${kind}`);
