@@ -77,7 +77,7 @@ static int begin(PyObject *const *args, Py_ssize_t n, int real, polynomial *p, d
         if (ends[i] == -1 && PyErr_Occurred()) return 0;
     }
     if (read == 1 && real && ends[0] > ends[1]) {
-        PyErr_Format(PyExc_ValueError, "%s: lo is above hi", algsurf_status_text(ALGSURF_E_ARGUMENT));
+        PyErr_SetString(PyExc_ValueError, "lo is above hi");
         return 0;
     }
     return read == 1;

@@ -48,6 +48,8 @@ class Numbers(unittest.TestCase):
         self.assertEqual(real_roots([0.1, -1])[0].lo, 0.1)
         self.assertNotEqual(real_roots(["0.1", -1])[0].lo, real_roots(["0.1", -1])[0].hi)  # no double is the root
         self.assertEqual(real_roots([Decimal("1e-400"), -1])[0].hi, 5e-324)
+        beyond = real_roots([10**400, 1])[0]
+        self.assertEqual((beyond.value, beyond.lo), (-np.finfo(float).max, -math.inf))
 
     def test_integers_of_any_length(self):
         r = real_roots([-HUGE, 0, 1])
@@ -79,7 +81,7 @@ class Numbers(unittest.TestCase):
         for c, words in (([], "without coefficients"), ([0, 0], "identically zero"), ([math.nan, 1], "not finite"),
                          ([Fraction(1, 3), math.inf], "not finite"), (np.zeros(514), "degree above"),
                          ([1] * 514, "degree above"), (np.zeros((2, 0)), "without coefficients"),
-                         (["x", 1], "Invalid literal"),
+                         (["x", 1], "Invalid literal"), (["1", "1/0"], "^'1/0': its denominator is 0"),
                          ([[1, 2], [1, 2, 3]], "the same number"), ([Fraction(1, 3)] * 514, "degree above"),
                          ([HUGE] * 514, "degree above")):
             for call in (real_roots, complex_roots, count_roots, first_root):
@@ -96,6 +98,11 @@ class Numbers(unittest.TestCase):
                 for c in ([-2, 0, 1], ["-2", "0", "1/3"], [-HUGE, 1]):
                     with self.assertRaises(error):
                         call(c, lo, hi)
+        for c, words in (([-2, 0, 1], "^lo is"), (["1/3", 1], "^lo is"), ([-HUGE, 1], "^lo is"),
+                         ([[-2, 1]], "^polynomial 0: lo is"), ([["1/3", 1]], "^polynomial 0: lo is")):
+            for call in (real_roots, count_roots, first_root):
+                with self.assertRaisesRegex(ValueError, words + " above hi$"):
+                    call(c, 1, 0)
         with self.assertRaises(OverflowError):
             real_roots(["1e999999999", 1])
         with self.assertRaises(OverflowError):
@@ -166,8 +173,10 @@ class Answers(unittest.TestCase):
         for c in ([], [1] * 514):
             with self.assertRaises(ValueError):
                 evaluate(c, 0)
-        for c, x in (([1j, 1], 0), ([1, 1], 1j), ([1, 1], "a")):
-            with self.assertRaises((TypeError, ValueError)):
+        one = "^evaluate takes one polynomial$"
+        for c, x, words in (([1j, 1], 0, "^evaluate: real coefficients only"), ([1, 1], 1j, "^x: real numbers"),
+                            ([1, 1], "a", "^x: real numbers"), ([[1, 2], [1, 2]], 1, one), (np.ones((2, 2)), 1, one)):
+            with self.assertRaisesRegex(TypeError, words):
                 evaluate(c, x)
 
     @unittest.skipUnless(PROGRAMS, "no programs")
@@ -242,10 +251,12 @@ class Batches(unittest.TestCase):
         for i in range(0, 3000, 97):
             self.assertEqual(r.count[i], count_roots(self.c[i], lo[i], 1))
             self.assertEqual(math.isinf(f[i]), r.count[i] == 0)
-        with self.assertRaises(ValueError):
+        with self.assertRaisesRegex(ValueError, "^lo, hi: a number, or one for each polynomial"):
             real_roots(self.c, lo[:5], 1)
-        with self.assertRaisesRegex(ValueError, "polynomial 0: an argument"):
-            real_roots(self.c, 1, -1)
+        with self.assertRaisesRegex(TypeError, "^hi: real numbers"):
+            real_roots(self.c, lo, "a")
+        with self.assertRaisesRegex(ValueError, "^polynomial 2999: lo is above hi"):
+            first_root(self.c, lo, -1e-3)
         exact = real_roots([["-1/3", 1], [-HUGE, 1]], np.array([0.0, -1]), np.array([1.0, 1]))
         self.assertEqual(exact.count.tolist(), [1, 0])
 
@@ -254,9 +265,11 @@ class Batches(unittest.TestCase):
             same(self, real_roots(self.c, threads=threads).array, real_roots(self.c).array)
             same(self, complex_roots(self.c, threads=threads).array, complex_roots(self.c).array)
             self.assertEqual(first_root(self.c, threads=threads).tolist(), first_root(self.c).tolist())
-        for threads, error in ((-1, ValueError), (257, ValueError), (1.5, TypeError)):
-            with self.assertRaises(error):
-                real_roots(self.c, threads=threads)
+        for threads, error in ((-1, ValueError), (257, ValueError), (1.5, TypeError), ("a", TypeError)):
+            for call in (real_roots, complex_roots, count_roots, first_root):
+                for c in (self.c, [1, 1], ["1/3", 1]):
+                    with self.assertRaisesRegex(error, "^threads: a whole number from 0 to 256"):
+                        call(c, threads=threads)
 
     def test_refused(self):
         c = self.c.copy()

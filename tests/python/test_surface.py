@@ -14,7 +14,7 @@ import zlib
 
 import numpy as np
 
-from algsurf import Surface
+from algsurf import Surface, png
 
 PROGRAMS = os.environ.get("ALGSURF_PROGRAMS")
 TORUS = "(x^2 + y^2 + z^2 + 3)^2 = 16 (x^2 + y^2)"
@@ -56,11 +56,12 @@ class Surfaces(unittest.TestCase):
             s.value([[0, 0, 0], [1e200, 0, 0]])
         with self.assertRaisesRegex(ValueError, "point 0: a number is not finite"):
             s.gradient([[math.nan, 0, 0]])
-        for points in ([1, 2], 3, [[1, 2, 3, 4]], "abc"):
-            with self.assertRaises(ValueError):
+        for points in ([1, 2], 3, [[1, 2, 3, 4]]):
+            with self.assertRaisesRegex(ValueError, "^points: an array of shape"):
                 s.value(points)
-        with self.assertRaises(TypeError):
-            s.value([1j, 0, 0])
+        for points in ("abc", [1j, 0, 0], [[1], [1, 2]]):
+            with self.assertRaisesRegex(TypeError, "^points: real numbers"):
+                s.value(points)
 
     def test_refused(self):
         for equation, words in (("x^^2", "not a polynomial equation.*column 3: .\\^"), ("b x", "no value: b .column 1"),
@@ -72,14 +73,28 @@ class Surfaces(unittest.TestCase):
             Surface("1e400 x")
         with self.assertRaisesRegex(ValueError, "not finite"):
             Surface("a x", a=math.nan)
+        with self.assertRaisesRegex(TypeError, "^a: a number was expected, not 'q'"):
+            Surface("a x", a="q")
+        for values, words in (({"x": 2}, "^x is a coordinate and takes no value"),
+                              ({"a b": 2}, "^'a b' takes no value"),
+                              ({"a": 1, "": 2}, "^'' takes no value"), ({"sqrt": 2}, "^'sqrt' takes no value"),
+                              ({"a": 1, "c": 2}, "^c: not in the equation")):
+            with self.assertRaisesRegex(ValueError, words):
+                Surface("a x^2 + y^2 = z", **values)
+        for equation, values in (("e x = 1", {"e": math.e}), ("x + 0 c = 1", {"c": 2}), ("x^n = 1", {"n": 2}),
+                                 ("a b x = 1", {"a": 0, "b": 1}), ("pi x = 1", {"pi": math.pi})):
+            self.assertIsInstance(Surface(equation, **values), Surface)
         for arguments in ((1,), (None,), (b"x",), ()):
             with self.assertRaises(TypeError):
                 Surface(*arguments)
-        for terms in ([], [(1, 0, 0, math.inf)], [(65, 0, 0, 1)], [(-1, 0, 0, 1)]):
-            with self.assertRaises(ValueError):
+        each, range_ = r"^terms: \(i, j, k, a\) each", "^terms: exponents from 0 to 64"
+        for terms, kind, words in (([], ValueError, "^no terms"), ([(1, 0, 0, math.inf)], ValueError, "not finite"),
+                                   ([(65, 0, 0, 1)], ValueError, range_), ([(-1, 0, 0, 1)], ValueError, range_),
+                                   ([(2**70, 0, 0, 1)], ValueError, range_), ([(40, 40, 0, 1)], ValueError, "degree"),
+                                   ([(2, 0, 0)], ValueError, each), ([(1.5, 0, 0, 1)], TypeError, each),
+                                   (5, TypeError, each)):
+            with self.assertRaisesRegex(kind, words):
                 Surface.from_terms(terms)
-        with self.assertRaises(TypeError):
-            Surface.from_terms([(1.5, 0, 0, 1)])
 
     def test_enclose(self):
         low, high = Surface("(x-1)^2 + y^2 + z^2 = 1/4").enclose((5, 5, 5), centre=(1, 0, 0))
@@ -89,10 +104,13 @@ class Surfaces(unittest.TestCase):
         low, high = Surface("x^2 + y^2 = z^2").enclose(4, singular=True, precision=0.5)
         self.assertTrue((low <= 0).all() and (high >= 0).all())
         for extent in (0, -1, math.inf, (1, 2), (1, 2, 0), None):
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(ValueError, "^extent: "):
                 Surface(TORUS).enclose(extent)
-        with self.assertRaises(ValueError):
-            Surface(TORUS).enclose(1, precision=2)
+        for precision in (0, 2, math.nan):
+            with self.assertRaisesRegex(ValueError, "^precision: a number above 0, at most 1"):
+                Surface(TORUS).enclose(1, precision=precision)
+        with self.assertRaisesRegex(TypeError, "^precision: a number"):
+            Surface(TORUS).enclose(1, precision="a")
 
 
 class Rays(unittest.TestCase):
@@ -154,9 +172,21 @@ class Rays(unittest.TestCase):
         touching = self.s.first_hits([-4, 0, 1], [1, 0, 0])
         self.assertEqual((float(touching.t), int(touching.multiplicity)), (2, 2))
 
+    def test_in_the_surface(self):
+        """A ray in it, and misses: what stands in the other arrays."""
+        plane = Surface("z = 0")
+        for hits, expected in ((plane.first_hits([0, 0, 0], [1, 0, 0]), (True, 0, 0)),
+                               (plane.first_hits([0, 0, -1], [1, 0, 0]), (False, 0, -1)),
+                               (plane.first_hits([0, 0, 2], [0, 0, -1], t_min=5, t_max=1), (False, 0, 0))):
+            self.assertEqual((bool(hits.found), int(hits.multiplicity), int(hits.side)), expected)
+        self.assertEqual(Surface("z^3 = 0").first_hits([0, 0, 1], [0, 0, -1]).multiplicity, 3)
+        self.assertFalse(Surface("x y = 0").first_hits([0, 0, 0], [0, 0, 1]).normal.any())
+
     def test_refused(self):
-        with self.assertRaisesRegex(ValueError, "ray 1: an argument"):
+        with self.assertRaisesRegex(ValueError, "^ray 1: its direction is 0"):
             self.s.first_hits([0, 0, 0], [[1, 0, 0], [0, 0, 0]])
+        with self.assertRaisesRegex(ValueError, "^ray 1: its direction is 0"):
+            self.s.occluded(np.zeros((2, 3)), np.array([[1.0, 0, 0], [0, 0, 0]]))
         d = self.d.copy()
         d[4000] = math.nan
         for threads in (1, 3):
@@ -164,11 +194,20 @@ class Rays(unittest.TestCase):
                 self.s.first_hits(self.o, d, threads=threads)
             with self.assertRaisesRegex(ValueError, "ray 4000: a number is not finite"):
                 self.s.occluded(self.o, d, threads=threads)
-        for o, d in (([1, 2], [1, 2, 3]), (np.zeros((3, 3)), np.zeros((4, 3))), (1, 2)):
-            with self.assertRaises(ValueError):
+        for o, d, words in (([1, 2], [1, 2, 3], "^origins: an array"), (1, 2, "^origins: an array"),
+                            (np.zeros((2, 3)), np.zeros((3, 3)),
+                             r"^origins, directions: shapes \(2,\) and \(3,\) do not go together")):
+            with self.assertRaisesRegex(ValueError, words):
                 self.s.first_hits(o, d)
-        with self.assertRaises(ValueError):
-            self.s.first_hits([0, 0, 0], [1, 0, 0], extent=-1)
+        for options, kind, words in (({"extent": -1}, ValueError, "^extent: "),
+                                     ({"extent": "a"}, TypeError, "^extent: "),
+                                     ({"centre": (1, 0, 0)}, ValueError, "^centre: of an extent; give extent, too"),
+                                     ({"extent": 1, "centre": (1, 0)}, ValueError, "^centre: three numbers"),
+                                     ({"t_min": [1, 2], "t_max": [1, 2, 3]}, ValueError, "^t_min, t_max: shapes"),
+                                     ({"t_max": "a"}, TypeError, "^t_max: real numbers")):
+            for call in (self.s.first_hits, self.s.occluded):
+                with self.assertRaisesRegex(kind, words):
+                    call([0, 0, 0], [1, 0, 0], **options)
 
 
 class Pictures(unittest.TestCase):
@@ -211,6 +250,9 @@ class Pictures(unittest.TestCase):
         self.assertEqual(kinds, [b"IHDR", b"IDAT", b"IEND"])
         rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(480, 1921)
         self.assertTrue((rows[:, 1:].reshape(480, 640, 3) == Surface(TORUS).render(threads=1)).all())
+        for pixels in (np.zeros((4, 4, 3)), np.zeros((4, 4), np.uint8), np.zeros((4, 4, 4), np.uint8)):
+            with self.assertRaisesRegex(ValueError, "^pixels: bytes of shape"):
+                png(pixels)
 
     def test_refused(self):
         s = Surface("x^2 + y^2 + z^2 = 1")
@@ -222,8 +264,23 @@ class Pictures(unittest.TestCase):
                         {"centre": (1, 0, 0)}, {"eye": (math.inf, 0, 0)}, {"size": (1, 2, 3)}):
             with self.assertRaises(ValueError, msg=str(options)):
                 s.render(**{"size": (8, 8), **options})
-        for options in ({"size": 8}, {"size": (8.5, 8)}, {"antialias": 1.5}, {"colour": 5}, {"eye": "abc"}):
-            with self.assertRaises((TypeError, ValueError), msg=str(options)):
+        same, up = "^eye and look_at are the same point", "^up: 0, or along the view"
+        for options, kind, words in (
+                ({"size": 640}, ValueError, "^size: width and"),
+                ({"size": (32, 24, 3)}, ValueError, "^size: width and"),
+                ({"size": (8.5, 8)}, TypeError, "^size: a whole number from 1 to 65535"),
+                ({"antialias": 17}, ValueError, "^antialias: a whole number from 1 to 16 was expected, not 17$"),
+                ({"antialias": 1.5}, TypeError, "^antialias: "), ({"threads": "a"}, TypeError, "^threads: "),
+                ({"threads": 257}, ValueError, "^threads: a whole number from 0 to 256 was expected, not 257$"),
+                ({"colour": 5}, ValueError, "^colour: "), ({"colour": "#zzzzzz"}, ValueError, '^colour: "#4aa3ff" or'),
+                ({"inside": (1, 2, "a")}, ValueError, "^inside: "), ({"turn": 5}, ValueError, "^turn: two numbers"),
+                ({"turn": "ab"}, TypeError, "^turn: "), ({"zoom": "a"}, TypeError, "^zoom: a number"),
+                ({"eye": "abc"}, TypeError, "^eye: "), ({"centre": (1, 0, 0)}, ValueError, "^centre: of an extent"),
+                ({"eye": (1, 1, 1), "look_at": (1, 1, 1)}, ValueError, same), ({"eye": (0, 0, 0)}, ValueError, same),
+                ({"eye": (1, 1, 1), "look_at": (1, 1, 1), "up": (0, 0, 1)}, ValueError, same),
+                ({"eye": (0, 0, 5), "look_at": (0, 0, 0), "up": (0, 0, 1)}, ValueError, up),
+                ({"up": (0, 0, 0)}, ValueError, up)):
+            with self.assertRaisesRegex(kind, words, msg=str(options)):
                 s.render(**{"size": (8, 8), **options})
         self.assertTrue((Surface("1 = 0").render((8, 8)) == 255).all())
 
@@ -284,8 +341,12 @@ class Meshes(unittest.TestCase):
         for options in ({"cells": 3}, {"cells": 2049}, {"extent": 0}, {"extent": (1, 2)}, {"threads": 257}):
             with self.assertRaises(ValueError, msg=str(options)):
                 s.mesh(**options)
-        with self.assertRaises(TypeError):
-            s.mesh(8.5)
+        for options, kind, words in (
+                ({"cells": 8.5}, TypeError, "^cells: a whole number from 4 to 2048 was expected, not 8.5$"),
+                ({"threads": "a"}, TypeError, "^threads: "), ({"cells": 3}, ValueError, "^cells: [^;]*$"),
+                ({"centre": (1, 0, 0)}, ValueError, "^centre: of an extent; give extent, too")):
+            with self.assertRaisesRegex(kind, words):
+                s.mesh(**options)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Roots of polynomials and algebraic surfaces, each answer proved: libalgsurf for Python.
+"""Roots of polynomials and algebraic surfaces: libalgsurf for Python.
 
     real_roots(c, lo, hi)     all real roots in an interval, with multiplicities
     complex_roots(c)          all complex roots
@@ -6,6 +6,10 @@
     first_root(c, lo, hi)     the smallest real root
     evaluate(c, x)            values with bounds on their errors
     Surface(equation, a=1.2)  an algebraic surface: first hits of rays, pictures, meshes
+    png(pixels)               a picture as the bytes of a file
+
+Roots, counts and hits are proved; `evaluate` and `value_and_bound` give bounds; the other numbers and pictures
+are floats.
 
 A polynomial is its coefficients, lowest degree first: [-2, 0, 1] is t^2 - 2.
 
@@ -28,14 +32,14 @@ An array of shape (m, n + 1), or a list of m lists, is m polynomials of degree n
 have a row for each.  A call lets other threads run.  Batches take threads=, the number of threads, 0 for as
 many as there are processors; the answers have the same bits for any number.
 
-Errors have the library's words: ValueError for what is no polynomial, equation or ray, OverflowError for what
-leaves the range of floats, MemoryError, and TypeError for what is no number.
+Errors are ValueError for what is no polynomial, equation or ray, OverflowError for what leaves the range of
+floats, MemoryError, and TypeError for what is no number.
 """
 from . import _algsurf
 from ._roots import ComplexRoots, RealRoots, Value, complex_roots, count_roots, evaluate, first_root, real_roots
 from ._mesh import Mesh
-from ._surface import Hits, Surface
+from ._surface import Hits, Surface, png
 
 __version__: str = _algsurf.version()
 __all__ = ["ComplexRoots", "Hits", "Mesh", "RealRoots", "Surface", "Value", "complex_roots", "count_roots", "evaluate",
-           "first_root", "real_roots"]
+           "first_root", "png", "real_roots"]

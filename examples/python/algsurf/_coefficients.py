@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Polynomial = Union[Sequence[Number], NDArray[Any]]
     Polynomials = Union[Sequence[Sequence[Number]], NDArray[Any]]
 
-NOT_FINITE = -2  # ALGSURF_E_NOT_FINITE
+ARGUMENT, NOT_FINITE = -1, -2  # ALGSURF_E_ARGUMENT, ALGSURF_E_NOT_FINITE
 WHOLE = 2**53  # all whole numbers up to this are doubles
 DIGITS = 320_000  # of a decimal exponent, at most: integers have 2^20 bits
 
@@ -31,7 +31,10 @@ def _from_text(text: str) -> Fraction:
     power = re.search(r"[eE]([-+]?[0-9_]+)\s*$", text)
     if power and abs(int(power.group(1))) > DIGITS:
         raise OverflowError(f"the exponent of {text!r} is too large")
-    return Fraction(text)
+    try:
+        return Fraction(text)
+    except ZeroDivisionError:
+        raise ValueError(f"{text!r}: its denominator is 0") from None
 
 
 def exact(x: Any) -> Fraction:
@@ -54,12 +57,38 @@ def exact(x: Any) -> Fraction:
         raise
 
 
-def floats(x: Any) -> NDArray[np.float64]:
+def floats(name: str, x: Any) -> NDArray[np.float64]:
     """Real numbers, each the nearest double."""
-    a = np.asarray(x)
-    if a.dtype.kind == "c":
-        raise TypeError("a real number was expected, not a complex one")
-    return a.astype(np.float64, copy=False)
+    try:
+        a = np.asarray(x)
+        if a.dtype.kind != "c":
+            return a.astype(np.float64, copy=False)
+    except (TypeError, ValueError):
+        pass
+    raise TypeError(f"{name}: real numbers were expected")
+
+
+def number(name: str, x: Any) -> float:
+    try:
+        return float(x)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: a number was expected, not {x!r}") from None
+
+
+def whole(name: str, x: Any, least: int, most: int) -> int:
+    refused = f"{name}: a whole number from {least} to {most} was expected, not {x!r}"
+    try:
+        n = operator.index(x)
+    except TypeError:
+        raise TypeError(refused) from None
+    if not least <= n <= most:
+        raise ValueError(refused)
+    return n
+
+
+def thread_count(threads: Any) -> int:
+    """0: as many as there are processors."""
+    return whole("threads", threads, 0, 256) or os.cpu_count() or 1
 
 
 def is_double(x: Fraction) -> bool:
@@ -154,10 +183,7 @@ def share(work: Callable[[int, int], Optional[Tuple[int, int]]], count: int, thr
           degree: int = 6) -> List[Tuple[int, int]]:
     """Calls work(begin, end) for all of range(count), piece by piece, so that Ctrl-C is heard between them.
     Returns what was refused, if anything: (index, status), in increasing order."""
-    threads = operator.index(threads)
-    if not 0 <= threads <= 256:
-        raise ValueError(f"threads: from 1 to 256, or 0, as many as there are processors, not {threads}")
-    threads = threads or os.cpu_count() or 1
+    threads = thread_count(threads)
     piece = max(1, min(16 + (1 << 22) // (degree + 1) ** 2, -(-count // threads)))
     begins = range(0, count, piece)
     ends = [min(begin + piece, count) for begin in begins]
@@ -177,7 +203,9 @@ def refuse(status: int, before: str = "", after: str = "") -> None:
         raise type(error)(f"{before}{error}{after}") from None
 
 
-def complain(what: str, refused: List[Tuple[int, int]]) -> None:
-    """Raises for the first that is refused, with its number."""
+def complain(what: str, refused: List[Tuple[int, int]], argument: str = "") -> None:
+    """Raises for the first that is refused, with its number.  argument: what ALGSURF_E_ARGUMENT means there."""
     for index, status in refused:
+        if argument and status == ARGUMENT:
+            raise ValueError(f"{what} {index}: {argument}")
         refuse(status, f"{what} {index}: ")

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Tuple, Un
 import numpy as np
 
 from . import _algsurf
-from ._coefficients import Integers, complain, exact, floats, one, plain, polynomials, share
+from ._coefficients import (Integers, complain, exact, floats, number, one, plain, polynomials, share,
+                            thread_count)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -96,7 +97,8 @@ class RealRoots(_Roots):
     """Real roots in increasing order, each once: what real_roots returns.
 
     `value` is within one unit in the last place of the root, `lo` and `hi` enclose it: equal, then this is the
-    root exactly, or neighbouring doubles.  `sign` is that of the polynomial just before the root.  r[i] is one
+    root exactly, or neighbouring doubles.  A root beyond the largest double has the largest double as its value,
+    and an infinity as lo or hi.  `sign` is that of the polynomial just before the root.  r[i] is one
     of them, with the same names; r.array is all of them as a structured array, np.asarray(r) their values, each
     as often as its multiplicity.
 
@@ -132,6 +134,7 @@ class ComplexRoots(_Roots):
     """Complex roots in increasing order of their real parts, each once: what complex_roots returns.
 
     `value` is the root, in a box from `lo` (below, left) to `hi` (above, right) that encloses it and no other.
+    Ends of boxes beyond the largest double are infinite.
     `is_real` tells which are proved real; the other roots of a real polynomial are in conjugate pairs.  r[i] is
     one of them, its box in re_lo, re_hi, im_lo, im_hi; r.array is all of them as a structured array,
     np.asarray(r) their values, each as often as its multiplicity: what np.roots would say, and np.poly takes.
@@ -180,9 +183,12 @@ class Value(NamedTuple):
 
 def _ends(lo: Any, hi: Any, shape: Tuple[int, ...]) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
     """A number for all, or one for each polynomial."""
-    low, high = floats(lo), floats(hi)
+    low, high = floats("lo", lo), floats("hi", hi)
     if low.ndim or high.ndim:
-        low, high = (np.ascontiguousarray(np.broadcast_to(end, shape)) for end in (low, high))
+        try:
+            low, high = (np.ascontiguousarray(np.broadcast_to(end, shape)) for end in (low, high))
+        except ValueError:
+            raise ValueError("lo, hi: a number, or one for each polynomial, was expected") from None
     return low.reshape(-1), high.reshape(-1)
 
 
@@ -197,6 +203,8 @@ def _one(call: Any, c: Any, ends: Tuple[Any, ...]) -> Any:
     is_complex = numbers.is_complex if isinstance(numbers, Integers) else complex in map(type, numbers)
     if ends and is_complex:
         raise TypeError("complex coefficients: see complex_roots")
+    if ends and number("lo", ends[0]) > number("hi", ends[1]):
+        raise ValueError("lo is above hi")
     return _algsurf.roots_integers(*numbers, *ends) if isinstance(numbers, Integers) else call(numbers, *ends)
 
 
@@ -220,7 +228,7 @@ def _many(batch: NDArray[Any], shape: Tuple[int, ...], ends: Any, threads: int,
     if batch.dtype != object:
         refused = share(work, len(batch), threads, room)
         if strict:
-            complain("polynomial", refused)
+            complain("polynomial", refused, "lo is above hi")
         return roots[:, :room].reshape(shape + (room,)), count
     call = _algsurf.real_roots if ends else _algsurf.complex_roots
     for i, row in enumerate(batch):
@@ -258,6 +266,8 @@ def real_roots(c: Union[Polynomial, Polynomials], lo: Ends = -inf, hi: Ends = in
     >>> many.count
     array([2, 0])
     """
+    if threads != 1:
+        thread_count(threads)
     found = _algsurf.real_roots(c, lo, hi)
     if found is not None:
         return RealRoots(found)
@@ -286,6 +296,8 @@ def complex_roots(c: Union[Polynomial, Polynomials], *, threads: int = 1, strict
     >>> print(complex_roots([2j, 0, 1])[0].value)  # a square root of -2i
     (-1+1j)
     """
+    if threads != 1:
+        thread_count(threads)
     found = _algsurf.complex_roots(c)
     if found is not None:
         return ComplexRoots(found)
@@ -306,6 +318,8 @@ def count_roots(c: Any, lo: Any = -inf, hi: Any = inf, *, threads: int = 1) -> A
     >>> count_roots([0, 0, 5, -6, 1]), count_roots([0, 0, 5, -6, 1], 0.5, 5)
     (3, 2)
     """
+    if threads != 1:
+        thread_count(threads)
     found = _algsurf.count_roots(c, lo, hi)
     if found is not None:
         return found
@@ -319,11 +333,14 @@ def first_root(c: Polynomial, lo: float = ..., hi: float = ..., *, threads: int 
 def first_root(c: Polynomials, lo: Ends = ..., hi: Ends = ..., *, threads: int = ...) -> NDArray[np.float64]: ...
 def first_root(c: Any, lo: Any = -inf, hi: Any = inf, *, threads: int = 1) -> Any:
     """The smallest real root in [lo, hi], both ends included; infinity if there is none: proved.  Of many
-    polynomials an array.  The root is off by 1e-12 of hi - lo at most; real_roots gives the last bits, too.
+    polynomials an array.  The root is off by 1e-12 of hi - lo and a rounding at most, and has the bits that
+    real_roots gives if lo or hi is infinite.
 
     >>> first_root([6, -5, 1], 0, 10), first_root([6, -5, 1], 4, 10)
     (2.0, inf)
     """
+    if threads != 1:
+        thread_count(threads)
     found = _algsurf.first_root(c, lo, hi)
     if found is not None:
         return found
@@ -341,7 +358,7 @@ def first_root(c: Any, lo: Any = -inf, hi: Any = inf, *, threads: int = 1) -> An
         own = slice(a, b) if low.size > 1 else slice(None)
         return _algsurf.first_batch(batch[a:b], low[own], high[own], out[a:b], state[a:b])
 
-    complain("polynomial", share(work, len(batch), threads, batch.shape[1]))
+    complain("polynomial", share(work, len(batch), threads, batch.shape[1]), "lo is above hi")
     return out.reshape(shape)
 
 
@@ -355,13 +372,18 @@ def evaluate(c: Polynomial, x: ArrayLike) -> Value:
     >>> evaluate(["0.1", 1], [0, 1]).value
     array([0.1, 1.1])
     """
-    exactly = [exact(a) for a in one(c)]
+    if polynomials(c) is not None:
+        raise TypeError("evaluate takes one polynomial")
+    numbers = one(c)
+    if any(isinstance(a, (complex, np.complexfloating)) for a in numbers):
+        raise TypeError("evaluate: real coefficients only")
+    exactly = [exact(a) for a in numbers]
     if not exactly:
         raise ValueError("a polynomial without coefficients")
     doubles = np.array([float(f) for f in exactly])
     errors = [abs(f - exact(d)) for f, d in zip(exactly, doubles)]
     radii = np.array([np.nextafter(float(e), inf) if e else 0 for e in errors] if any(errors) else [], np.float64)
-    at = floats(x)
+    at = floats("x", x)
     flat, out = np.ascontiguousarray(at).reshape(-1), np.empty((2, at.size))
     complain("place", share(lambda a, b: _algsurf.evaluate(doubles, radii, flat[a:b], out[0, a:b], out[1, a:b]),
                             at.size, 1))
