@@ -29,6 +29,7 @@ visitTest("an own surface is kept once it was drawn, even if another is opened a
 
 visitTest("what was typed on the way to it is not", {}, async (visit) => {
     const { page } = visit;
+    await page.waitForFunction(() => location.hash !== ""); // of the surface that Back goes to
     await page.locator("#formula").click();
     await page.keyboard.press("Control+A");
     for (const sign of "x^2+y^2=z^3") {
