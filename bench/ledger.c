@@ -186,7 +186,7 @@ static int make_polynomials(const char *name, double *c) {
     return n;
 }
 
-enum { FIRST, ROOTS, LINE, NUMBER, ISOLATE, BOXES };
+enum { FIRST, BATCH, ROOTS, LINE, NUMBER, ISOLATE, BOXES };
 
 static void solve(const double *c, int n, int kind) {
     static algsurf_real_root roots[ROOM];
@@ -216,15 +216,23 @@ static double time_polynomials(const char *name, int kind) {
                                       .coefficients = {c, 1, n + 1},
                                       .lo = &lo,
                                       .hi = &hi};
+    algsurf_real_batch whole = batch;
+    whole.lo = whole.hi = NULL;
+    algsurf_real_root *roots = must_allocate(POLYNOMIALS * (size_t)n, sizeof *roots);
+    int *count = must_allocate(POLYNOMIALS, sizeof *count);
     double least = HUGE_VAL, begun = measure_cpu();
     for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
         const double before = measure_cpu();
         if (kind == FIRST)
             must_answer(algsurf_first_roots_batch(&batch, &how, state, root), name);
+        else if (kind == BATCH)
+            must_answer(algsurf_real_roots_batch(&whole, &how, roots, count), name);
         else
             solve(c, n, kind);
         least = fmin(least, measure_cpu() - before);
     }
+    free(roots);
+    free(count);
     return least / POLYNOMIALS;
 }
 
@@ -262,23 +270,15 @@ static const struct task_kind {
     const char *name;
     double (*time)(const char *what, int kind);
     int kind;
-} kinds[] = {{"picture", time_picture, PLAIN},
-             {"wide", time_picture, WIDE},
-             {"antialias", time_picture, ANTIALIAS},
-             {"full", time_picture, FULL},
-             {"complex", time_picture, COMPLEX},
-             {"ray", time_rays, SINGLE},
-             {"packet", time_rays, PACKET},
-             {"squared", time_rays, SQUARED},
-             {"endless", time_rays, ENDLESS},
-             {"endless-packet", time_rays, ENDLESS_PACKET},
-             {"first", time_polynomials, FIRST},
-             {"roots", time_polynomials, ROOTS},
-             {"line", time_polynomials, LINE},
-             {"number", time_polynomials, NUMBER},
-             {"isolate", time_polynomials, ISOLATE},
-             {"boxes", time_polynomials, BOXES},
-             {"cluster", time_cluster, 0}};
+} kinds[] = {{"picture", time_picture, PLAIN},       {"wide", time_picture, WIDE},
+             {"antialias", time_picture, ANTIALIAS}, {"full", time_picture, FULL},
+             {"complex", time_picture, COMPLEX},     {"ray", time_rays, SINGLE},
+             {"packet", time_rays, PACKET},          {"squared", time_rays, SQUARED},
+             {"endless", time_rays, ENDLESS},        {"endless-packet", time_rays, ENDLESS_PACKET},
+             {"first", time_polynomials, FIRST},     {"line-batch", time_polynomials, BATCH},
+             {"roots", time_polynomials, ROOTS},     {"line", time_polynomials, LINE},
+             {"number", time_polynomials, NUMBER},   {"isolate", time_polynomials, ISOLATE},
+             {"boxes", time_polynomials, BOXES},     {"cluster", time_cluster, 0}};
 
 static void run(const char *task) {
     const char *slash = strchr(task, '/');

@@ -689,6 +689,37 @@ TEST(test_no_intervals) {
     }
 }
 
+/* Roots of the whole line come from boxes of several polynomials at once: also beside those that have none,
+ * that are refused, that are powers, or squares; with every kernel, and a last block that is not full. */
+TEST(test_whole_line) {
+    enum { COUNT = MOST - 3, WAYS = 20 };
+    uint64_t random = SEED + 19;
+    const answers none = {.state = {0}};
+    EACH_DEGREE(n)
+    for (int how = 0; how < WAYS; how++) {
+        algsurf_batch_options options = {.size = sizeof options};
+        put_random(n, &random);
+        for (int i = 0; i < MOST; i++) {
+            if (how < 17 && exact_random_int(&random, 5) == 0) spoil(n, i, how, &random);
+            for (int k = 1; k < n && how == 17 && i % 3; k++) c[k][i] = 0;           /* powers */
+            for (int k = 1; k <= n && how == 18 && i % 3; k += 2) c[k][i] = 0;       /* of squares */
+            for (int k = 0; k <= n && how == 19 && i % 3; k++) c[k][i] = k == n / 2; /* t^(n/2) */
+            lo[i] = -(double)INFINITY, hi[i] = (double)INFINITY;
+        }
+        algsurf_real_batch p = packet_of(n, 0, COUNT, 0);
+        p.lo = p.hi = NULL;
+        for (int kernel = 0; (options.kernel = algsurf_kernel_name(kernel)); kernel++) {
+            memset(all_roots, 0x55, sizeof all_roots);
+            const algsurf_status status = algsurf_real_roots_batch(&p, &options, all_roots, counts);
+            int bad = 0;
+            for (int i = 0; i < COUNT; i++)
+                if (!same_roots(n, i)) complain("the whole line", n, i, &none, counts[i]);
+            while (bad < COUNT && counts[bad] >= 0) bad++;
+            assert_int_equal(status, bad < COUNT ? counts[bad] : ALGSURF_OK);
+        }
+    }
+}
+
 /* The same polynomials by rows, backwards, spread, as parts of complex numbers, in one interval or with one
  * coefficient for all: the same bits. */
 TEST(test_layouts) {

@@ -4,7 +4,8 @@
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
  * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone (line.c,
  * isolate.c), which also tells why a polynomial is refused.  To packets bad polynomials and intervals are
- * unsound, like intervals with an infinite end (centred_template.h). */
+ * unsound, like intervals with an infinite end (centred_template.h).  On the whole line eight polynomials
+ * share a call for the boxes that each would ask for by itself. */
 #include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
@@ -15,6 +16,7 @@
 #include "algsurf/isolate.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "../complex/boxes.h"
 #include "../poly/degree.h"
 #include "../poly/table.h"
 #include "line.h"
@@ -63,11 +65,13 @@ static double point_of(const algsurf_bracket *b) {
     return isfinite(b->lo) ? b->lo : isfinite(b->hi) ? b->hi : 0;
 }
 
-/* Roots of one exact polynomial. */
+/* Roots of one exact polynomial; boxes: all of its roots, or null. */
 static ALGSURF_NOINLINE algsurf_status find_alone(const algsurf_real_batch *polys, size_t i, int wanted,
-                                                  algsurf_real_root *roots, int *count) {
+                                                  const algsurf_complex_root *boxes, algsurf_real_root *roots,
+                                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    algsurf_i_line line = {.lo = begin_of(polys, i), .hi = end_of(polys, i), .wanted = wanted, .refined = 1};
+    algsurf_i_line line = {
+        .lo = begin_of(polys, i), .hi = end_of(polys, i), .wanted = wanted, .refined = 1, .boxes = boxes};
     line.p = read_one(polys, i, c, NULL);
     algsurf_status status = algsurf_i_check_interval(line.lo, line.hi);
     if (status == ALGSURF_OK) status = algsurf_i_check_coefficients(&line.p);
@@ -79,7 +83,7 @@ static algsurf_status solve_exact(const algsurf_real_batch *polys, size_t i, int
     algsurf_real_root few[ALGSURF_MAX_DEGREE], *roots = few;
     if (polys->degree > ALGSURF_MAX_DEGREE) roots = malloc((size_t)polys->degree * sizeof *roots);
     if (!roots) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = find_alone(polys, i, ALGSURF_I_FIRST, roots, found);
+    algsurf_status status = find_alone(polys, i, ALGSURF_I_FIRST, NULL, roots, found);
     if (status == ALGSURF_OK && *found) *where = roots->root;
     if (roots != few) free(roots);
     return status;
@@ -157,6 +161,29 @@ static algsurf_status first_roots(const algsurf_real_batch *batch, const algsurf
     return first;
 }
 
+/* Boxes about all roots of some polynomials, side by side: their roots on the whole line are among them. */
+enum { BLOCK = 8, LEAST_DEGREE = 3, MOST_DEGREE = 12 }; /* below: formulas; above, one alone fills lanes */
+typedef struct box_block {
+    algsurf_complex_root box[BLOCK * MOST_DEGREE];
+    int found[BLOCK];
+} box_block;
+
+static int is_by_boxes(const algsurf_real_batch *p) {
+    return p->degree >= LEAST_DEGREE && p->degree <= MOST_DEGREE &&
+           (p->interval_step == 0 || (!p->lo && !p->hi)) && begin_of(p, 0) == -HUGE_VAL &&
+           end_of(p, 0) == HUGE_VAL;
+}
+
+static void fill_block(const query *q, size_t first, box_block *block) {
+    const algsurf_real_batch *p = &q->polys;
+    const size_t left = p->count - first;
+    const algsurf_table real = {NULL, 0, 0};
+    algsurf_table c = p->coefficients;
+    c.at += (ptrdiff_t)first * c.polynomial;
+    algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(q->options.kernel))
+        ->many(&c, &real, p->degree, left < BLOCK ? left : BLOCK, block->box, block->found);
+}
+
 static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
                                 algsurf_real_root *roots, int *count) {
     query q;
@@ -167,11 +194,17 @@ static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_b
     algsurf_i_polys_job job = job_of(&q);
     job.roots = roots;
     job.found = count;
-    if (has_kernel(p)) q.kernel->solve_all(&job, p->count);
+    box_block block;
+    const int by_boxes = is_by_boxes(p), in_packets = has_kernel(p) && !by_boxes;
+    if (in_packets) q.kernel->solve_all(&job, p->count);
     for (size_t i = 0; i < p->count; i++) {
-        if (has_kernel(p) && count[i] >= 0) continue;
+        if (in_packets && count[i] >= 0) continue;
         int room = p->degree > 0 ? p->degree : 1, found = 0;
-        algsurf_status status = find_alone(p, i, ALGSURF_I_ALL, roots + i * (size_t)room, &found);
+        const size_t at = i % BLOCK;
+        if (by_boxes && at == 0) fill_block(&q, i, &block);
+        const algsurf_complex_root *boxes =
+            by_boxes && block.found[at] == p->degree ? block.box + at * (size_t)p->degree : NULL;
+        algsurf_status status = find_alone(p, i, ALGSURF_I_ALL, boxes, roots + i * (size_t)room, &found);
         count[i] = status == ALGSURF_OK ? found : (int)status;
         if (first == ALGSURF_OK) first = status;
     }

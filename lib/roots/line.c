@@ -101,12 +101,13 @@ static int is_whole(const algsurf_i_line *line) { return isinf(line->lo) && isin
 /* All of p's real roots, simple, isolated; returns how many, or -1: boxes are faster than a walk where one
  * piece does not hold what is asked for. */
 static int all_roots(const algsurf_i_line *line, int level, algsurf_real_root *all) {
-    algsurf_complex_root box[ALGSURF_MOST_ROOTS_IN_LANES];
+    algsurf_complex_root own[ALGSURF_MOST_ROOTS_IN_LANES];
+    const algsurf_complex_root *box = line->boxes ? line->boxes : own;
     const double *c = line->p.c;
     int n = line->p.degree, sign = (c[n] > 0) == (n % 2 == 0) ? 1 : -1, count = 0;
     if (n <= 2) return algsurf_i_low_roots(&line->p, all);
-    if (level || line->wide || n > ALGSURF_MOST_ROOTS_IN_LANES ||
-        !algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL))->one(c, NULL, 1, n, box))
+    if (level || line->wide || n > ALGSURF_MOST_ROOTS_IN_LANES) return -1;
+    if (!line->boxes && !algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL))->one(c, NULL, 1, n, own))
         return -1;
     for (int i = 0; i < n; i++) {
         if (!box[i].real) continue;
@@ -194,6 +195,7 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
     algsurf_i_line inner = *line;
     inner.p.c = w.q;
     inner.p.degree = w.degree;
+    inner.boxes = NULL;
     if (inner.wanted == ALGSURF_I_FIRST) inner.wanted = ALGSURF_I_ALL;
     inner.wide = !line->refined && line->wanted != ALGSURF_I_NUMBER;
     algsurf_i_power_interval(&w, line->lo, line->hi, &inner.lo, &inner.hi);
@@ -262,6 +264,7 @@ static ALGSURF_NOINLINE algsurf_status solve_with_zero(const algsurf_i_line *lin
     while (line->p.c[zeros] == 0) zeros++;
     rest.p.c += zeros;
     rest.p.degree -= zeros;
+    rest.boxes = NULL;
     if (rest.wanted == ALGSURF_I_FIRST) rest.wanted = ALGSURF_I_ALL;
     algsurf_status status = solve(&rest, roots, count);
     if (status != ALGSURF_OK || put_zero(&rest, zeros, roots, count)) {

@@ -2,6 +2,7 @@
  * formulas, powers, a walk in doubles, integers. */
 #ifndef ALGSURF_LINE_H
 #define ALGSURF_LINE_H
+#include "algsurf/allroots.h"
 #include "algsurf/isolate.h"
 #include "coefficients.h"
 #include "watch.h"
@@ -17,6 +18,7 @@ typedef struct algsurf_i_line {
     int refined;                  /* 1: between neighbouring doubles; 0: isolated, multiple ones refined */
     const algsurf_i_watch *watch; /* null: nobody looks */
     int wide;                     /* 1: isolated, the wider the better */
+    const algsurf_complex_root *boxes; /* all roots of p, from complex/boxes.h; null: they are not known */
 } algsurf_i_line;
 
 /* roots, in order, with room for as many as the degree says, at least one: lo = hi is a root, else there is
