@@ -230,9 +230,10 @@ static unsigned magnitude(int residual) {
 
 /* The filter with the least sum of magnitudes.  `left` zeros stand before each of the rows. */
 static int best_filter(const uint8_t *row, const uint8_t *above, size_t length, size_t left) {
+    const uint8_t *before = row - left, *above_before = above - left;
     unsigned sum[FILTERS] = {0}, best = 0;
     for (size_t i = 0; i < length; i++) {
-        const int x = row[i], a = row[i - left], b = above[i], c = above[i - left];
+        const int x = row[i], a = before[i], b = above[i], c = above_before[i];
         sum[0] += magnitude(x);
         sum[1] += magnitude(x - a);
         sum[2] += magnitude(x - b);
@@ -247,10 +248,11 @@ static int best_filter(const uint8_t *row, const uint8_t *above, size_t length, 
 /* The row's residuals, behind the filter's number. */
 static void write_filtered(int filter, const uint8_t *row, const uint8_t *above, size_t length, size_t left,
                            uint8_t *out) {
+    const uint8_t *before = row - left, *above_before = above - left;
     *out++ = (uint8_t)filter;
     for (size_t i = 0; i < length; i++) {
-        const int a = row[i - left], b = above[i];
-        const int guess[FILTERS] = {0, a, b, (a + b) / 2, nearest(a, b, above[i - left])};
+        const int a = before[i], b = above[i];
+        const int guess[FILTERS] = {0, a, b, (a + b) / 2, nearest(a, b, above_before[i])};
         out[i] = (uint8_t)(row[i] - guess[filter]);
     }
 }
