@@ -112,6 +112,7 @@ static const struct {
     {"2\u2076\u2075x", ALGSURF_E_SYNTAX, 1},
     {"x\xc2", ALGSURF_E_SYNTAX, 1},
     {"x\xc2+y", ALGSURF_E_SYNTAX, 1},
+    {"x\\ \x84\x84", ALGSURF_E_SYNTAX, 3},
     {"x+\u03b1", ALGSURF_E_NAME, 2},
     {"x*\u2212", ALGSURF_E_SYNTAX, 5},
     {"x* *y", ALGSURF_E_SYNTAX, 3},

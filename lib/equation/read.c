@@ -135,7 +135,7 @@ static size_t command_length(const char *text) {
     size_t n = 1;
     while (is_latin(text[n])) n++;
     if (n > 1 || text[1] == '\0') return n;
-    for (n = 2; goes_on(text[n]);) n++;
+    for (n = 2; (unsigned char)text[1] >= 0x80 && goes_on(text[n]);) n++;
     return n;
 }
 
