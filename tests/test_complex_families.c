@@ -271,6 +271,24 @@ TEST(multiple) {
     }
 }
 
+/* ((z - 7/3 - i/3) (z - 14/3 - i/3) ...)^5: that this is not 0 at its roots' conjugates is seen only from
+ * places far narrower than doubles, as it is small there beside its terms. */
+TEST(conjugates_are_told_apart) {
+    for (int roots = 2; roots <= 8; roots += 3) {
+        poly *f[FACTORS] = {make(0)}, *p = make(0);
+        const int m[FACTORS] = {5};
+        mpz_set_ui(f[0]->re[0], 1), mpz_set_ui(p->re[0], 1);
+        for (int k = 1; k <= roots; k++) f[0] = times_root(f[0], 7 * k, 1, 3);
+        for (int k = 0; k < 5; k++) {
+            poly *q = product(p, f[0]);
+            drop(p);
+            p = q;
+        }
+        judge("conjugates", p, (const poly *const *)f, m, 0);
+        drop(f[0]), drop(p);
+    }
+}
+
 /* Dense ones, of integers of very different sizes. */
 TEST(random_ones) {
     set_precision(2048);

@@ -38,8 +38,9 @@ typedef struct algsurf_i_allroots_kernel {
     /* Ehrlich's and Aberth's steps of the `count` points that `who` names; reversed: by the polynomial of the
      * inverse roots. */
     void (*approach)(const algsurf_i_approach *a, const int *who, int count, int reversed);
-    /* p at `count` points in doubled precision, off by 32 n (n + 2) u^2 sum + u |p|, sum >= sum |c_k| |z|^k,
-     * and by less than 2^-950 max(1,|z|)^n for what underflows.  What overflows is no number, or infinite. */
+    /* p at `count` points, |z| >= 2^-500 or 0, in doubled precision: off by 32 n (n + 2) u^2 sum + u |p|, sum
+     * >= sum |c_k| |z|^k, and by less than 2^-950 max(1,|z|)^n for what underflows.  What overflows is no
+     * number, or infinite. */
     void (*values)(const algsurf_i_flat *p, const double *x, const double *y, int count, double *re,
                    double *im, double *sum);
 } algsurf_i_allroots_kernel;

@@ -182,8 +182,8 @@ int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_sc
                       algsurf_scaled *z, int *corrections);
 
 /* All roots of an exact polynomial with multiple ones, each with its multiplicity; real: it has real
- * coefficients.  The answer's count stays 0 if there are no multiple ones, or they could not be told apart.
- * Adds to *proposed and *moved the steps it took. */
+ * coefficients.  The answer's count stays 0 if there are no multiple ones.  Adds to *proposed and *moved the
+ * steps it took. */
 int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
                             int *proposed, int *moved);
 

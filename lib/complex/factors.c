@@ -92,22 +92,30 @@ static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const a
     return 1;
 }
 
-/* Leaves out the roots that h has not; *done: that is known of each. */
-static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *done) {
-    *done = 1;
-    for (int i = 0; i < d->n && *done; i++) {
+/* Leaves out the roots that h has not; *told: that is known of each. */
+static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *told) {
+    *told = 1;
+    for (int i = 0; i < d->n && *told; i++) {
         algsurf_i_disc *root = d->root + i;
         algsurf_i_point z = {.room = 0};
         int is_out, mate_is_out;
         algsurf_scaled R;
-        if (d->root[root->group].members > 1) return !(*done = 0);
+        if (d->root[root->group].members > 1) return !(*told = 0);
         if (!algsurf_i_centre(d, i, 0, &z, &R)) return 0;
         if (!is_no_root(&d->sums, h, &z, R, &is_out)) return 0;
         if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(&d->sums, h, &z, R, &mate_is_out)) return 0;
         root->left_out = (unsigned char)is_out;
-        *done = is_out != mate_is_out;
+        *told = is_out != mate_is_out;
     }
     return 1;
+}
+
+/* The same of each: h is 0 at one of two conjugates only, so discs that are narrow enough tell at which. */
+static int choose_all(algsurf_i_discs *d, const algsurf_i_integers *h) {
+    for (int told, open;; d->more += d->more + 64) {
+        if (!algsurf_i_discs_run(d, ALGSURF_I_MOST_SWEEPS, &open) || !choose(d, h, &told)) return 0;
+        if (told) return 1;
+    }
 }
 
 /* Roots by factors. */
@@ -118,19 +126,16 @@ typedef struct factors {
 } factors;
 
 /* The roots of f, which is squarefree; h not null: those that h has, too. */
-static int solve_factor(factors *s, const algsurf_zpoly *f, int multiplicity, const algsurf_i_integers *h,
-                        int *done) {
+static int solve_factor(factors *s, const algsurf_zpoly *f, int multiplicity, const algsurf_i_integers *h) {
     algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
     algsurf_i_discs d;
     int open;
     algsurf_scaled *at = algsurf_i_take(s->m, (size_t)f->degree * sizeof *at);
     if (!at || !algsurf_i_make_heads(s->m, &z)) return 0;
     if (!algsurf_i_propose(s->m, &z, NULL, at, s->proposed)) return 0;
-    if (!algsurf_i_discs_begin(&d, s->m, &z.p, at) || !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
-        return 0;
+    if (!algsurf_i_discs_begin(&d, s->m, &z.p, at)) return 0;
+    if (h ? !choose_all(&d, h) : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
     *s->moved += d.moved;
-    if (h && !choose(&d, h, done)) return 0;
-    if (!*done) return 1;
     z.p.real = !h;
     return algsurf_i_deliver(&d, multiplicity, s->answer);
 }
@@ -149,16 +154,15 @@ static int make_factor(algsurf_memory *m, const algsurf_zpoly *share, int count,
 }
 
 /* Each share of the roots of p by itself, if there are multiple ones, or h is given. */
-static int solve_shares(factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always,
-                        int *done) {
+static int solve_shares(factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always) {
     int highest;
     algsurf_memory_mark mark = algsurf_memory_here(s->m);
     algsurf_zpoly *share = algsurf_i_take(s->m, (size_t)(p->degree + 1) * sizeof *share), f;
     if (!share || !algsurf_zpoly_multiplicities(s->m, p, share, &highest)) return 0;
-    for (int k = 1; k <= highest && (always || highest > 1) && *done; k++) {
+    for (int k = 1; k <= highest && (always || highest > 1); k++) {
         algsurf_memory_mark before = algsurf_memory_here(s->m);
         if (share[k - 1].degree == (k < highest ? share[k].degree : 0)) continue;
-        if (!make_factor(s->m, share, highest, k, &f) || !solve_factor(s, &f, k, h, done)) return 0;
+        if (!make_factor(s->m, share, highest, k, &f) || !solve_factor(s, &f, k, h)) return 0;
         algsurf_memory_release(s->m, before);
     }
     algsurf_memory_release(s->m, mark);
@@ -199,20 +203,19 @@ static int make_cofactor(algsurf_memory *m, const algsurf_zpoly *u, const algsur
 int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
                             int *proposed, int *moved) {
     factors s = {m, answer, proposed, moved};
-    int squarefree, done = 1;
+    int squarefree;
     algsurf_parts parts;
     algsurf_zpoly N;
     algsurf_i_integers h;
-    if (!p->im.c) return solve_shares(&s, &p->re, NULL, 0, &done);
+    if (!p->im.c) return solve_shares(&s, &p->re, NULL, 0);
     if (!is_squarefree(m, p, &squarefree)) return 0;
     if (squarefree) return 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     parts = (algsurf_parts){.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
     if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(m, &p->re, &p->im, &parts)) return 0;
-    if (parts.g.degree > 0 && !solve_shares(&s, &parts.g, NULL, 1, &done)) return 0;
+    if (parts.g.degree > 0 && !solve_shares(&s, &parts.g, NULL, 1)) return 0;
     if (!make_cofactor(m, &parts.u, &parts.v, &h) || !make_norm(m, &parts.u, &parts.v, &N)) return 0;
-    if (N.degree > 0 && !solve_shares(&s, &N, &h, 1, &done)) return 0;
-    if (!done) answer->count = 0;
+    if (N.degree > 0 && !solve_shares(&s, &N, &h, 1)) return 0;
     algsurf_memory_release(m, mark);
     return 1;
 }
