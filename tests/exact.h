@@ -1,7 +1,6 @@
 /* exact.h - the oracle of the tests: rational arithmetic (GMP), where every double is exact.
  *
  * Names: exact_*.  An mpq_t handed out must be initialised by the caller (mpq_init) and cleared.
- * Also here: a fixed random sequence, so that a failure can be repeated from its seed.
  */
 #ifndef EXACT_H
 #define EXACT_H
@@ -11,6 +10,8 @@
 #include <stdlib.h>
 
 #include <gmp.h>
+
+#include "random.h"
 
 /* q = x exactly; x must be finite.  (GMP reads the bits: rounding mode and FTZ/DAZ play no part.) */
 static inline void exact_set(mpq_t q, double x) {
@@ -136,31 +137,6 @@ static inline void exact_print_doubles(const char *name, const double *x, int co
     fprintf(stderr, "%s = {", name);
     for (int i = 0; i < count; i++) fprintf(stderr, "%s%a", i ? ", " : "", x[i]);
     fprintf(stderr, "}\n");
-}
-
-/* Random inputs: splitmix64 (Steele, Lea, Flood 2014); start with any seed. */
-static inline uint64_t exact_random(uint64_t *state) {
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-/* Uniform in [-1,1]. */
-static inline double exact_random_unit(uint64_t *state) {
-    return (double)(int64_t)exact_random(state) * 0x1p-63;
-}
-
-/* Uniform in 0 .. n-1. */
-static inline int exact_random_int(uint64_t *state, int n) {
-    return (int)(exact_random(state) % (uint64_t)n);
-}
-
-/* A full random mantissa and sign, the exponent uniform in [low,high]; ldexp rounds into the subnormals. */
-static inline double exact_random_wide(uint64_t *state, int low, int high) {
-    double x = 1.0 + fabs(exact_random_unit(state));
-    if (exact_random(state) & 1) x = -x;
-    return ldexp(x, low + exact_random_int(state, high - low + 1));
 }
 
 #endif

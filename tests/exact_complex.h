@@ -111,16 +111,11 @@ static inline double find_root(const problem *p, double x, double y, double enou
 
 /* ---- cases ---- */
 
-static uint64_t sequence = 0x9e3779b97f4a7c15;
+static uint64_t sequence = 1;
 
-static inline uint64_t next_bits(void) {
-    sequence ^= sequence << 13, sequence ^= sequence >> 7, sequence ^= sequence << 17;
-    return sequence;
-}
+static inline double uniform(void) { return random_unit(&sequence); }
 
-static inline double uniform(void) { return (double)(int64_t)next_bits() * 0x1p-63; }
-
-static inline int below(int n) { return (int)(next_bits() >> 33) % n; }
+static inline int below(int n) { return random_int(&sequence, n); }
 
 enum { PLAIN, INTEGERS, CLUSTERED, SPARSE, TINY_LEAD, WILD, DOUBLED, KINDS };
 

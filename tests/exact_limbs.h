@@ -36,12 +36,11 @@ static inline void exact_limbs_print(const char *name, const uint64_t *a, int w)
 
 /* Random limbs of a kind: uniform, runs of zeros and ones, a power of two and its neighbours, short, 0, -1,
  * the least integer of that width. */
-static inline void exact_random_limbs(uint64_t *state, uint64_t *a, int w) {
-    int kind = exact_random_int(state, 16), bit = exact_random_int(state, 64 * w),
-        some = exact_random_int(state, w + 1);
+static inline void random_limbs(uint64_t *state, uint64_t *a, int w) {
+    int kind = random_int(state, 16), bit = random_int(state, 64 * w), some = random_int(state, w + 1);
     uint64_t fill = kind & 1 ? 0 : ~(uint64_t)0;
     for (int i = 0; i < w; i++) {
-        uint64_t x = exact_random(state);
+        uint64_t x = random_bits(state);
         a[i] = kind < 5 ? x : kind < 9 ? (x & 4 ? 0 : ~(uint64_t)0) : kind < 12 && i < some ? x : fill;
     }
     if (kind == 12 || kind == 13) a[bit / 64] ^= (uint64_t)1 << bit % 64;
@@ -49,6 +48,6 @@ static inline void exact_random_limbs(uint64_t *state, uint64_t *a, int w) {
         for (int i = 0; i < w; i++) a[i] = 0;
         a[w - 1] = (uint64_t)1 << 63;
     }
-    if (kind >= 12 && kind < 15 && exact_random_int(state, 4) == 0) a[0] += 1;
+    if (kind >= 12 && kind < 15 && random_int(state, 4) == 0) a[0] += 1;
 }
 #endif

@@ -101,22 +101,22 @@ static inline void exact_zpoly_print(const char *name, const exact_zpoly *p) {
 }
 
 /* Numbers of up to `bits` bits of either sign: full size, short, a power of two or 0. */
-static inline void exact_random_mpz(uint64_t *seed, mpz_t z, int bits) {
-    int kind = exact_random_int(seed, 12), length = kind < 8 ? bits : 1 + exact_random_int(seed, bits);
+static inline void random_mpz(uint64_t *seed, mpz_t z, int bits) {
+    int kind = random_int(seed, 12), length = kind < 8 ? bits : 1 + random_int(seed, bits);
     mpz_set_ui(z, 0);
     if (kind == 10) mpz_setbit(z, (mp_bitcnt_t)length - 1);
     for (int i = 0; kind < 10 && i < length; i += 32) {
         mpz_mul_2exp(z, z, 32);
-        mpz_add_ui(z, z, (unsigned long)(exact_random(seed) >> 32));
+        mpz_add_ui(z, z, (unsigned long)(random_bits(seed) >> 32));
     }
     if (kind < 10) mpz_fdiv_r_2exp(z, z, (mp_bitcnt_t)length);
-    if (exact_random(seed) & 1) mpz_neg(z, z);
+    if (random_bits(seed) & 1) mpz_neg(z, z);
 }
 
-static inline void exact_random_zpoly(uint64_t *seed, exact_zpoly *p, int n, int bits) {
+static inline void random_zpoly(uint64_t *seed, exact_zpoly *p, int n, int bits) {
     p->n = n;
-    for (int k = 0; k <= n; k++) exact_random_mpz(seed, p->c[k], bits);
-    if (n >= 0 && mpz_sgn(p->c[n]) == 0) mpz_set_si(p->c[n], exact_random(seed) & 1 ? 1 : -1);
+    for (int k = 0; k <= n; k++) random_mpz(seed, p->c[k], bits);
+    if (n >= 0 && mpz_sgn(p->c[n]) == 0) mpz_set_si(p->c[n], random_bits(seed) & 1 ? 1 : -1);
 }
 
 static inline void exact_from_zpoly(exact_zpoly *r, const algsurf_zpoly *p) {

@@ -7,6 +7,7 @@
 #include <gmp.h>
 
 #include "algsurf/algsurf.h"
+#include "random.h"
 #include "unit.h"
 
 enum { MOST = ALGSURF_MAX_POLY_DEGREE };
@@ -208,10 +209,7 @@ static inline void end_precision(void) {
 
 static uint64_t seed = 20261126;
 
-static inline int random_below(int n) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return (int)(seed >> 33) % n;
-}
+static inline int random_below(int n) { return random_int(&seed, n); }
 
 /* prod f[i]^m[i] of one to four random factors, real or Gaussian; Gaussian ones may share roots with their
  * conjugates.  Roots have denominators of 3, or `wild`: up to 2^19 + 1. */

@@ -36,11 +36,11 @@ static inline int intersect_terms(intersect_case *c, const algsurf_term *terms, 
 /* Of degree n at most, from some terms, the coefficients whole numbers or not. */
 static inline int intersect_random(intersect_case *c, uint64_t *seed, int n, int small) {
     algsurf_term terms[24];
-    int count = 2 + exact_random_int(seed, 20);
+    int count = 2 + random_int(seed, 20);
     for (int i = 0; i < count; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        double a = small ? exact_random_int(seed, 9) - 4 : exact_random_wide(seed, -2, 2);
+        int e[3] = {0, 0, 0}, total = i == 0 ? n : random_int(seed, n + 1);
+        while (total-- > 0) e[random_int(seed, 3)]++;
+        double a = small ? random_int(seed, 9) - 4 : random_wide(seed, -2, 2);
         terms[i] = (algsurf_term){e[0], e[1], e[2], a};
     }
     return intersect_terms(c, terms, count);

@@ -13,29 +13,29 @@
 static inline double case_double(uint64_t *seed) {
     static const int rims[] = {-1074, -1022, -1000, -969, -960, -537, 480, 995, 996, 1000, 1023};
     double x;
-    switch (exact_random_int(seed, 10)) {
+    switch (random_int(seed, 10)) {
     case 0:
         return 0.0;
     case 1:
-        return (double)(exact_random_int(seed, 41) - 20);
+        return (double)(random_int(seed, 41) - 20);
     case 2:
-        x = exact_random_wide(seed, -1074, 1023);
+        x = random_wide(seed, -1074, 1023);
         break;
     case 3:
-        x = exact_random_wide(seed, -1074, -1018);
+        x = random_wide(seed, -1074, -1018);
         break;
     case 4:
-        x = exact_random_wide(seed, 1015, 1023);
+        x = random_wide(seed, 1015, 1023);
         break;
     case 5:
-        x = ldexp(exact_random_unit(seed), rims[exact_random_int(seed, 11)]);
+        x = ldexp(random_unit(seed), rims[random_int(seed, 11)]);
         break;
     case 6:
-        return exact_random_unit(seed) > 0 ? DBL_MAX : -DBL_MAX;
+        return random_unit(seed) > 0 ? DBL_MAX : -DBL_MAX;
     case 7:
-        return (exact_random_unit(seed) > 0 ? 1 : -1) + 0x1p-52 * (exact_random_int(seed, 9) - 4);
+        return (random_unit(seed) > 0 ? 1 : -1) + 0x1p-52 * (random_int(seed, 9) - 4);
     default:
-        x = exact_random_wide(seed, -4, 4);
+        x = random_wide(seed, -4, 4);
         break;
     }
     return fabs(x) < INFINITY ? x : DBL_MAX;
@@ -49,27 +49,26 @@ static inline algsurf_interval case_sorted(double a, double b) {
 static inline algsurf_interval case_interval(uint64_t *seed) {
     double x = case_double(seed);
     algsurf_interval a = {x, x};
-    int kind = exact_random_int(seed, 8);
+    int kind = random_int(seed, 8);
     if (kind == 1) a = case_sorted(x, nextafter(x, 0));
     if (kind > 1) a = case_sorted(x, case_double(seed));
-    if (exact_random_int(seed, 16) == 0) a.lo = -INFINITY;
-    if (exact_random_int(seed, 16) == 0) a.hi = INFINITY;
+    if (random_int(seed, 16) == 0) a.lo = -INFINITY;
+    if (random_int(seed, 16) == 0) a.hi = INFINITY;
     return a;
 }
 
 /* Around 1, of any width up to the size. */
 static inline algsurf_interval case_tame(uint64_t *seed) {
-    double x = exact_random_wide(seed, -2, 2),
-           w = ldexp(exact_random_unit(seed), -exact_random_int(seed, 40));
-    return exact_random_int(seed, 5) ? case_sorted(x, x + w) : (algsurf_interval){x, x};
+    double x = random_wide(seed, -2, 2), w = ldexp(random_unit(seed), -random_int(seed, 40));
+    return random_int(seed, 5) ? case_sorted(x, x + w) : (algsurf_interval){x, x};
 }
 
 /* A double in the interval: an end, or between. */
 static inline double case_inside(uint64_t *seed, algsurf_interval a) {
     double lo = isinf(a.lo) ? -DBL_MAX : a.lo, hi = isinf(a.hi) ? DBL_MAX : a.hi;
-    int kind = exact_random_int(seed, 4);
+    int kind = random_int(seed, 4);
     if (kind < 2) return kind ? lo : hi;
-    double t = fabs(exact_random_unit(seed)), x = lo * (1 - t) + hi * t;
+    double t = fabs(random_unit(seed)), x = lo * (1 - t) + hi * t;
     return x < lo ? lo : x > hi ? hi : x;
 }
 

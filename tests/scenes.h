@@ -21,11 +21,11 @@ static inline algsurf_surface *surface_of_terms(const algsurf_term *terms, size_
 /* Up to 60 terms, some of them alike, of coefficients from 2^low to 2^high. */
 static inline algsurf_surface *surface_of_random_terms(uint64_t *state, int degree, int low, int high) {
     algsurf_term terms[60];
-    int count = 1 + exact_random_int(state, 60);
+    int count = 1 + random_int(state, 60);
     for (int t = 0; t < count; t++) {
-        int d = exact_random_int(state, degree + 1), i = exact_random_int(state, d + 1);
-        int j = exact_random_int(state, d - i + 1);
-        terms[t] = (algsurf_term){i, j, d - i - j, exact_random_wide(state, low, high)};
+        int d = random_int(state, degree + 1), i = random_int(state, d + 1);
+        int j = random_int(state, d - i + 1);
+        terms[t] = (algsurf_term){i, j, d - i - j, random_wide(state, low, high)};
     }
     return surface_of_terms(terms, (size_t)count);
 }

@@ -38,7 +38,7 @@ static inline int seed_product(const algsurf_complex *x, int n, int without, dou
 static inline seed_case seed_random(uint64_t *seed, int n, int distinct) {
     seed_case c = {.n = n};
     for (int i = 0; i < n; i++) {
-        c.root[i] = (algsurf_complex){exact_random_int(seed, 11) - 5, exact_random_int(seed, 11) - 5};
+        c.root[i] = (algsurf_complex){random_int(seed, 11) - 5, random_int(seed, 11) - 5};
         for (int j = 0; distinct && j < i; j++)
             if (c.root[j].re == c.root[i].re && c.root[j].im == c.root[i].im) i--, j = i;
     }

@@ -232,7 +232,7 @@ TEST(test_random_high_degrees) {
     for (int round = 0; round < 24; round++) {
         int degree = round % 3 == 0 ? 128 : round % 3 == 1 ? 300 : LARGE;
         for (int k = 0; k <= degree; k++)
-            large[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
+            large[k] = (algsurf_complex){random_unit(&seed), round % 2 ? random_unit(&seed) : 0};
         int count = run(degree, NULL, NULL);
         if (count < degree - degree / 50) fail_msg("round %d: %d boxes for degree %d", round, count, degree);
     }

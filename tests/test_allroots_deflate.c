@@ -25,7 +25,7 @@ TEST(test_finds_all) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 500; round++) {
-        seed_case c = seed_random(&seed, 1 + exact_random_int(&seed, SEED_DEGREE), 1);
+        seed_case c = seed_random(&seed, 1 + random_int(&seed, SEED_DEGREE), 1);
         algsurf_paper_zero zeros[SEED_DEGREE];
         algsurf_complex start[SEED_DEGREE];
         int complete = -1;
@@ -50,7 +50,7 @@ TEST(test_radii_are_handed_on) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 200; round++) {
-        seed_case c = seed_random(&seed, 2 + exact_random_int(&seed, 5), 1);
+        seed_case c = seed_random(&seed, 2 + random_int(&seed, 5), 1);
         algsurf_paper_zero zeros[SEED_DEGREE];
         double r[SEED_DEGREE + 1];
         int complete;
@@ -162,12 +162,11 @@ TEST(test_quotient_multiplies_out) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 300; round++) {
-        int n = 2 + exact_random_int(&seed, 6), wide = round % 3 == 0 ? 40 : 2;
-        algsurf_complex p[9], q[8], z, start = {exact_random_unit(&seed), exact_random_unit(&seed)};
+        int n = 2 + random_int(&seed, 6), wide = round % 3 == 0 ? 40 : 2;
+        algsurf_complex p[9], q[8], z, start = {random_unit(&seed), random_unit(&seed)};
         algsurf_cinterval Z, Q[8];
         for (int k = 0; k <= n; k++)
-            p[k] = (algsurf_complex){exact_random_wide(&seed, -wide, wide),
-                                     exact_random_wide(&seed, -wide, wide)};
+            p[k] = (algsurf_complex){random_wide(&seed, -wide, wide), random_wide(&seed, -wide, wide)};
         (void)algsurf_paper_approximation(p, n, start, NULL, &z, q, NULL);
         if (algsurf_paper_inclusion(p, NULL, n, z, q, NULL, &Z, Q, NULL, NULL) != ALGSURF_OK) continue;
         verified++;
@@ -233,16 +232,14 @@ TEST(test_environments) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 60; round++) {
-        int n = 1 + exact_random_int(&seed, 8), tiny = round % 2 ? -1040 : 0;
+        int n = 1 + random_int(&seed, 8), tiny = round % 2 ? -1040 : 0;
         algsurf_complex p[9], start[8];
         double r[9];
         for (int k = 0; k <= n; k++) {
-            p[k] = (algsurf_complex){ldexp(exact_random_unit(&seed), tiny),
-                                     ldexp(exact_random_unit(&seed), tiny)};
-            r[k] = ldexp(fabs(exact_random_unit(&seed)), tiny - 40);
+            p[k] = (algsurf_complex){ldexp(random_unit(&seed), tiny), ldexp(random_unit(&seed), tiny)};
+            r[k] = ldexp(fabs(random_unit(&seed)), tiny - 40);
         }
-        for (int i = 0; i < n; i++)
-            start[i] = (algsurf_complex){exact_random_unit(&seed), exact_random_unit(&seed)};
+        for (int i = 0; i < n; i++) start[i] = (algsurf_complex){random_unit(&seed), random_unit(&seed)};
         answers usual = ask(p, r, n, start);
         verified += usual.status[1] == ALGSURF_OK;
         for (int e = 1; e < ENVIRONMENTS; e++) {

@@ -305,9 +305,9 @@ static int same_roots(const factor *f, const factor *g) { /* a root in common */
 /* A random factor that is squarefree and new. */
 static int random_factor(const product *t, int size, factor *f) {
     int odd = 2 * size + 1;
-    f->a = exact_random_int(&seed, 2) ? 1 + exact_random_int(&seed, 3) : 0;
-    f->b = f->a ? exact_random_int(&seed, odd) - size : 1 + exact_random_int(&seed, 4);
-    f->c = exact_random_int(&seed, odd) - size;
+    f->a = random_int(&seed, 2) ? 1 + random_int(&seed, 3) : 0;
+    f->b = f->a ? random_int(&seed, odd) - size : 1 + random_int(&seed, 4);
+    f->c = random_int(&seed, odd) - size;
     if (f->a && f->b * f->b == 4 * f->a * f->c) return 0;
     for (int j = 0; j < t->count; j++)
         if (same_roots(t->f + j, f)) return 0;
@@ -318,20 +318,20 @@ TEST(test_random) {
     product *t = open_product();
     int cases = 0, multiple = 0, roots = 0, lost = 0;
     for (int round = 0; round < 12000; round++) {
-        int factors = 1 + exact_random_int(&seed, 5), most = 1 + exact_random_int(&seed, 8);
-        int size = 1 + exact_random_int(&seed, round % 2 ? 3 : 30), several = 0;
+        int factors = 1 + random_int(&seed, 5), most = 1 + random_int(&seed, 8);
+        int size = 1 + random_int(&seed, round % 2 ? 3 : 30), several = 0;
         begin(t);
         for (int j = 0; j < factors; j++) {
             factor f;
             if (!random_factor(t, size, &f)) continue;
-            int m = 1 + exact_random_int(&seed, most);
+            int m = 1 + random_int(&seed, most);
             if (t->p->n + 2 * m > ALGSURF_MAX_DEGREE) continue;
             join_factor(t, f.a, f.b, f.c, m);
             several += m > 1;
         }
         if (t->p->n < 1) continue;
-        t->unit = exact_random_int(&seed, 21) - 10;
-        if (!finish(t, exact_random_int(&seed, 101) - 50)) continue;
+        t->unit = random_int(&seed, 21) - 10;
+        if (!finish(t, random_int(&seed, 101) - 50)) continue;
         cases++, multiple += several > 0, roots += distinct(t);
         lost += judge(t);
     }
@@ -374,12 +374,12 @@ TEST(test_powers) {
     int cases = 0, degree = 0;
     for (int round = 0; round < 600; round++) {
         long q[21] = {0}, r[21] = {0};
-        int dq = 3 + exact_random_int(&seed, round % 4 ? 6 : 18), dr = exact_random_int(&seed, 6);
-        int m = 2 + exact_random_int(&seed, round % 4 ? 4 : 12), size = 1 + exact_random_int(&seed, 4);
+        int dq = 3 + random_int(&seed, round % 4 ? 6 : 18), dr = random_int(&seed, 6);
+        int m = 2 + random_int(&seed, round % 4 ? 4 : 12), size = 1 + random_int(&seed, 4);
         for (int k = 0; k <= dq; k++)
-            q[k] = round % 4 && k % 2 == 0 ? exact_random_int(&seed, 2 * size + 1) - size : 0;
-        q[0] = 1 + exact_random_int(&seed, 3), q[dq] = 1, q[1] += round % 3;
-        for (int k = 0; k <= dr; k++) r[k] = exact_random_int(&seed, 21) - 10;
+            q[k] = round % 4 && k % 2 == 0 ? random_int(&seed, 2 * size + 1) - size : 0;
+        q[0] = 1 + random_int(&seed, 3), q[dq] = 1, q[1] += round % 3;
+        for (int k = 0; k <= dr; k++) r[k] = random_int(&seed, 21) - 10;
         r[0] = 11, r[dr] = 1; /* a rational root of R divides 11; Q(0) does not */
         begin(t);
         times(t, q, dq, 1), times(t, r, dr, 1);

@@ -187,7 +187,7 @@ static void put_product(int i, int degree, const double *roots, int count, uint6
     for (; n < count && n < degree; n++)
         for (int k = n + 1; k >= 0; k--) p[k] = (k > 0 ? p[k - 1] : 0) - roots[n] * p[k];
     while (n + 2 <= degree) {
-        double a = exact_random_unit(random), e = 0.1 + fabs(exact_random_unit(random));
+        double a = random_unit(random), e = 0.1 + fabs(random_unit(random));
         for (int k = n + 2; k >= 0; k--)
             p[k] = (k > 1 ? p[k - 2] : 0) - 2 * a * (k > 0 ? p[k - 1] : 0) + (a * a + e) * p[k];
         n += 2;
@@ -198,11 +198,11 @@ static void put_product(int i, int degree, const double *roots, int count, uint6
 static void put_random(int degree, uint64_t *random) {
     for (int i = 0; i < MOST; i++) {
         double roots[TOP];
-        int count = degree < 20 ? exact_random_int(random, degree + 1) : exact_random_int(random, 4);
-        for (int k = 0; k < count; k++) roots[k] = 1.5 * exact_random_unit(random);
+        int count = degree < 20 ? random_int(random, degree + 1) : random_int(random, 4);
+        for (int k = 0; k < count; k++) roots[k] = 1.5 * random_unit(random);
         put_product(i, degree, roots, count, random);
-        lo[i] = exact_random_unit(random) - 1;
-        hi[i] = lo[i] + 1.5 + exact_random_unit(random);
+        lo[i] = random_unit(random) - 1;
+        hi[i] = lo[i] + 1.5 + random_unit(random);
     }
 }
 
@@ -243,8 +243,7 @@ TEST(test_grazing) {
         answers a;
         if (n < 2 || n > 12) continue;
         for (int i = 0; i < MOST; i++) {
-            double at = 0.5 * exact_random_unit(&random),
-                   e = pow(10, -5.5 + 3.5 * exact_random_unit(&random));
+            double at = 0.5 * random_unit(&random), e = pow(10, -5.5 + 3.5 * random_unit(&random));
             put_grazing(i, n, at, i % 2 ? e * e : -e * e, &random);
         }
         check(n, MOST, 0, &a, seen);
@@ -261,8 +260,8 @@ TEST(test_touching) {
         answers a;
         if (n < 2 || n > 12) continue;
         for (int i = 0; i < MOST; i++) {
-            double at = 0.5 * exact_random_unit(&random), f = 0;
-            put_grazing(i, n, at, pow(10, -5 + 4 * exact_random_unit(&random)), &random);
+            double at = 0.5 * random_unit(&random), f = 0;
+            put_grazing(i, n, at, pow(10, -5 + 4 * random_unit(&random)), &random);
             for (int k = n; k >= 0; k--) f = f * at + c[k][i];
             for (int k = 1; k <= n; k++) r[k][i] = 0;
             r[0][i] = (i % 2 ? 2 : 0.25) * f;
@@ -283,15 +282,15 @@ TEST(test_special) {
             answers a;
             for (int i = 0; i < MOST; i++) {
                 double roots[TOP];
-                int count = exact_random_int(&random, n + 1);
-                for (int k = 0; k < count; k++) roots[k] = (exact_random_int(&random, 9) - 4) * 0.25;
+                int count = random_int(&random, n + 1);
+                for (int k = 0; k < count; k++) roots[k] = (random_int(&random, 9) - 4) * 0.25;
                 for (int k = 0; k <= n; k++) c[k][i] = 0;
                 long double p[TOP + 1] = {i % 16 ? 1 : 0};
                 for (int m = 0; m < count; m++)
                     for (int k = m + 1; k >= 0; k--) p[k] = (k > 0 ? p[k - 1] : 0) - roots[m] * p[k];
                 for (int k = 0; k <= count; k++) c[k][i] = (double)p[k];
-                lo[i] = -0.25 * (1 + exact_random_int(&random, 4));
-                hi[i] = 0.25 * (1 + exact_random_int(&random, 4));
+                lo[i] = -0.25 * (1 + random_int(&random, 4));
+                hi[i] = 0.25 * (1 + random_int(&random, 4));
             }
             check(n, MOST, 0, &a, seen);
             check_roots(n, MOST, &a, 1e-11);
@@ -316,7 +315,7 @@ TEST(test_flat) {
     answers a;
     for (int i = 0; i < MOST; i++) {
         for (int k = 0; k < 4; k++) c[k][i] = flat[k];
-        c[0][i] += i * 0x1p-16 * exact_random_unit(&random);
+        c[0][i] += i * 0x1p-16 * random_unit(&random);
         hi[i] = 0x1.f942p+0; /* of -lo and hi: the chord's root is at p's maximum */
         lo[i] = -hi[i];
     }
@@ -333,15 +332,15 @@ TEST(test_aimed) {
         int n = round % 4 < 2 ? 2 : round % 4 == 2 ? 1 : 3 + round / 4, seen[5] = {0};
         answers a;
         for (int i = 0; i < MOST; i++) {
-            double at = 4 * exact_random_unit(&random), length = exp2(-15 + 15 * exact_random_unit(&random)),
-                   gap = exp2(-25 + 20 * exact_random_unit(&random));
+            double at = 4 * random_unit(&random), length = exp2(-15 + 15 * random_unit(&random)),
+                   gap = exp2(-25 + 20 * random_unit(&random));
             double roots[TOP] = {at - gap * length, at + gap * length};
-            for (int k = 2; k < n; k++) roots[k] = at + 2 * length + 4 * fabs(exact_random_unit(&random));
+            for (int k = 2; k < n; k++) roots[k] = at + 2 * length + 4 * fabs(random_unit(&random));
             put_product(i, n, roots, n, &random);
             for (int k = 0; k <= n; k++)
-                for (int j = exact_random_int(&random, 5) - 2; j; j -= j > 0 ? 1 : -1)
+                for (int j = random_int(&random, 5) - 2; j; j -= j > 0 ? 1 : -1)
                     c[k][i] = nextafter(c[k][i], j > 0 ? HUGE_VAL : -HUGE_VAL);
-            lo[i] = at - length * (0.5 + 0.6 * exact_random_unit(&random));
+            lo[i] = at - length * (0.5 + 0.6 * random_unit(&random));
             hi[i] = lo[i] + length;
         }
         check(n, MOST, 0, &a, seen);
@@ -398,8 +397,8 @@ TEST(test_narrow) {
         answers a;
         put_random(n, &random);
         for (int i = 0; i < MOST; i++) {
-            double width = ldexp(1, -exact_random_int(&random, 50));
-            lo[i] = exact_random_unit(&random);
+            double width = ldexp(1, -random_int(&random, 50));
+            lo[i] = random_unit(&random);
             hi[i] = fmax(lo[i] + width, nextafter(lo[i], 2));
         }
         check(n, MOST, 0, &a, seen);
@@ -413,10 +412,9 @@ TEST(test_radii) {
         int seen[5] = {0};
         answers a;
         put_random(n, &random);
-        double size = ldexp(1, -exact_random_int(&random, 40));
+        double size = ldexp(1, -random_int(&random, 40));
         for (int i = 0; i < MOST; i++)
-            for (int k = 0; k <= n; k++)
-                r[k][i] = i % 4 ? size * fabs(exact_random_unit(&random) * c[k][i]) : 0;
+            for (int k = 0; k <= n; k++) r[k][i] = i % 4 ? size * fabs(random_unit(&random) * c[k][i]) : 0;
         check(n, MOST, 1, &a, seen);
         check_roots(n, MOST, &a, INFINITY); /* c itself belongs to the set */
         for (int i = 0; i < MOST; i++)
@@ -569,8 +567,8 @@ TEST(test_kernels_enclose) {
     uint64_t random = SEED + 14;
     for (int n = 3; n <= 10; n++) {
         for (int i = 0; i < MOST; i++) {
-            double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
-            put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
+            double e = pow(10, -4 + 0.5 * random_unit(&random));
+            put_grazing(i, n, 0.5 * random_unit(&random), -e * e, &random);
         }
         assert_true(left_open(n, 0) <= MOST / 16);
     }
@@ -637,7 +635,7 @@ TEST(test_errors) {
 /* A bad number, or a zero polynomial, is refused alone; an interval may be a point. */
 static void spoil(int n, int i, int how, uint64_t *random) {
     static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
-    int k = exact_random_int(random, n + 1);
+    int k = random_int(random, n + 1);
     if (how < 3) c[k][i] = bad[how];
     if (how >= 3 && how < 6) r[k][i] = bad[how - 3];
     if (how == 6) r[k][i] = -0x1p-1074;
@@ -660,8 +658,8 @@ TEST(test_bad_polynomials) {
             for (int k = 0; k <= n; k++)
                 for (int i = 0; i < MOST; i++) r[k][i] = 0x1p-60 * fabs(c[k][i]);
             for (int i = 0; i < MOST; i++)
-                if (how == 17 || exact_random_int(&random, 5) == 0)
-                    spoil(n, i, how < 17 ? how : exact_random_int(&random, 17), &random);
+                if (how == 17 || random_int(&random, 5) == 0)
+                    spoil(n, i, how < 17 ? how : random_int(&random, 17), &random);
             check(n, MOST, radii, &a, seen);
         }
 }
@@ -700,7 +698,7 @@ TEST(test_whole_line) {
         algsurf_batch_options options = {.size = sizeof options};
         put_random(n, &random);
         for (int i = 0; i < MOST; i++) {
-            if (how < 17 && exact_random_int(&random, 5) == 0) spoil(n, i, how, &random);
+            if (how < 17 && random_int(&random, 5) == 0) spoil(n, i, how, &random);
             for (int k = 1; k < n && how == 17 && i % 3; k++) c[k][i] = 0;           /* powers */
             for (int k = 1; k <= n && how == 18 && i % 3; k += 2) c[k][i] = 0;       /* of squares */
             for (int k = 0; k <= n && how == 19 && i % 3; k++) c[k][i] = k == n / 2; /* t^(n/2) */

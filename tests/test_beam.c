@@ -34,7 +34,7 @@ static long ray_count = 2000;
 static uint64_t first_seed = 20261123;
 
 static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + exact_random_unit(seed));
+    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
 }
 
 /* A surface and a view of it. */
@@ -52,9 +52,9 @@ static void make_frame(test_view *v, uint64_t *seed, int degree, const algsurf_t
     v->frame.q = v->q, v->frame.basis = v->basis, v->frame.sizes = v->sizes, v->frame.along = v->along;
     for (int i = 0; i < 3; i++) view->axis[i][i] = 1, view->centre[i] = uniform(seed, -0.2, 0.2);
     view->size = uniform(seed, 0.5, 1.5);
-    if (exact_random_int(seed, 3)) {
+    if (random_int(seed, 3)) {
         view->alpha = 1 / uniform(seed, 1.2, 8);
-        for (int k = 0; k < 2; k++) view->beta[k] = exact_random_int(seed, 2) ? uniform(seed, -0.1, 0.1) : 0;
+        for (int k = 0; k < 2; k++) view->beta[k] = random_int(seed, 2) ? uniform(seed, -0.1, 0.1) : 0;
     }
     view->noise = 0x1p-50;
     void *memory = malloc(algsurf_i_frame_memory(degree));
@@ -68,7 +68,7 @@ static void set_view(test_view *v, uint64_t *seed, int degree) {
     size_t count = 0;
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++) {
-            int k = exact_random_int(seed, degree - i - j + 1);
+            int k = random_int(seed, degree - i - j + 1);
             terms[count++] = (algsurf_term){i, j, k, uniform(seed, -1, 1)};
         }
     terms[count++] = (algsurf_term){0, 0, degree, 1};
@@ -178,9 +178,9 @@ TEST(rows_of_tiles_keep_their_bound) {
         int degree = 1 + (int)(turn % MOST);
         set_view(&t, &seed, degree);
         algsurf_i_beam_row row = {.c = t.c};
-        double h = ldexp(1, -exact_random_int(&seed, 10) - 3), v = uniform(&seed, -1, 1);
+        double h = ldexp(1, -random_int(&seed, 10) - 3), v = uniform(&seed, -1, 1);
         algsurf_i_beam_row_expand(&t.frame, t.g, v, h, h, t.square, &row);
-        double u = uniform(&seed, -1, 1), eta = exact_random_int(&seed, 3) ? uniform(&seed, -1, 1) : 1;
+        double u = uniform(&seed, -1, 1), eta = random_int(&seed, 3) ? uniform(&seed, -1, 1) : 1;
         mpq_t p[SIDE], at[2], w;
         new_exact(p, degree), mpq_inits(at[0], at[1], w, NULL);
         exact_set(at[0], u), exact_set(at[1], eta);
@@ -217,7 +217,7 @@ typedef struct test_band {
 } test_band;
 
 static void set_band(test_band *b, const test_view *t, uint64_t *seed) {
-    b->side = ldexp(uniform(seed, 1, 2), -exact_random_int(seed, 5) - 5);
+    b->side = ldexp(uniform(seed, 1, 2), -random_int(seed, 5) - 5);
     b->v0 = uniform(seed, -0.6, 0.6) + b->side * PIXELS / 2;
     b->extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE};
     b->rays = (algsurf_i_row_job){.view = &t->frame.view,
@@ -228,7 +228,7 @@ static void set_band(test_band *b, const test_view *t, uint64_t *seed) {
                                   .extent = &b->extent,
                                   .extent_size = {uniform(seed, 0.5, 1)},
                                   .near = t->frame.view.alpha > 0 ? -1 / t->frame.view.alpha : -1.5};
-    b->size = ALGSURF_I_LEAF << exact_random_int(seed, 3);
+    b->size = ALGSURF_I_LEAF << random_int(seed, 3);
 }
 
 /* All tiles of the band, of one size. */
@@ -328,8 +328,8 @@ static void check_ray(test_view *t, const test_band *b, int first, int tiles, ui
     static const double ends[] = {0, 1};
     double at[2], u, v, chord[2];
     for (int k = 0; k < 2; k++) { /* an edge of a tile, now and then */
-        double within = exact_random_int(seed, 3) ? uniform(seed, 0, 1) : ends[exact_random_int(seed, 2)];
-        at[k] = b->size * (first + exact_random_int(seed, tiles) + within);
+        double within = random_int(seed, 3) ? uniform(seed, 0, 1) : ends[random_int(seed, 2)];
+        at[k] = b->size * (first + random_int(seed, tiles) + within);
     }
     u = b->rays.u0 + (at[0] - PIXELS / 2) * b->side, v = b->v0 - b->side * at[1];
     if (!chord_of(b, &t->frame.view, u, v, chord)) return;
@@ -389,7 +389,7 @@ TEST(the_rest_is_felt) {
                                       {0, 0, 1, uniform(&seed, -0.2, 0.2) * fourth},
                                       {4, 0, 0, -1},
                                       {0, 4, 0, -uniform(&seed, 0, 1)},
-                                      {5, 0, 0, exact_random_int(&seed, 2) ? -1 / h : 0}};
+                                      {5, 0, 0, random_int(&seed, 2) ? -1 / h : 0}};
         make_frame(&t, &seed, 5, terms, sizeof terms / sizeof *terms);
         algsurf_i_view *view = &t.frame.view;
         double unit = ldexp(1, -t.surface->unit); /* from the terms' to the view's */

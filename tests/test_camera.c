@@ -47,11 +47,11 @@ static algsurf_ray ray_at(const algsurf_camera *camera, int width, int height, d
 TEST(frames) {
     uint64_t seed = 41;
     for (int k = 0; k < 2000; k++) {
-        double eye[3], look_at[3], up[3], view[3], scale = ldexp(1, exact_random_int(&seed, 1900) - 950);
+        double eye[3], look_at[3], up[3], view[3], scale = ldexp(1, random_int(&seed, 1900) - 950);
         for (int i = 0; i < 3; i++) {
-            look_at[i] = exact_random_unit(&seed) * scale;
-            eye[i] = exact_random_unit(&seed) * scale * pow(10, k % 9);
-            up[i] = exact_random_unit(&seed);
+            look_at[i] = random_unit(&seed) * scale;
+            eye[i] = random_unit(&seed) * scale * pow(10, k % 9);
+            up[i] = random_unit(&seed);
             view[i] = (look_at[i] - eye[i]) / scale;
         }
         if (k % 3 == 0) /* the angle between up and view is about 1e-1 .. 1e-8 */

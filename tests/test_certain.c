@@ -124,11 +124,11 @@ TEST(test_underflow) {
 TEST(test_clusters) {
     uint64_t seed = SEED;
     for (int round = 0; round < 200; round++) {
-        int n = 2 + exact_random_int(&seed, 8), gap = 3 + exact_random_int(&seed, 45);
-        double c[MOST + 1] = {1}, centre = 2 * exact_random_unit(&seed);
+        int n = 2 + random_int(&seed, 8), gap = 3 + random_int(&seed, 45);
+        double c[MOST + 1] = {1}, centre = 2 * random_unit(&seed);
         for (int k = 0; k < n; k++) {
-            double apart = ldexp(exact_random_unit(&seed), -gap);
-            times_root(c, k, k % 3 ? centre + apart : 3 * exact_random_unit(&seed));
+            double apart = ldexp(random_unit(&seed), -gap);
+            times_root(c, k, k % 3 ? centre + apart : 3 * random_unit(&seed));
         }
         check(c, n, 3.5);
     }
@@ -138,10 +138,10 @@ TEST(test_wide_coefficients) {
     uint64_t seed = SEED;
     int roots = 0;
     for (int round = 0; round < 300; round++) {
-        int n = 1 + exact_random_int(&seed, 16), range = round % 3 == 0 ? 40 : 1000;
+        int n = 1 + random_int(&seed, 16), range = round % 3 == 0 ? 40 : 1000;
         double c[MOST + 1];
-        for (int k = 0; k <= n; k++) c[k] = exact_random_wide(&seed, -range, range);
-        roots += check(c, n, ldexp(1, exact_random_int(&seed, 2000) - 1000));
+        for (int k = 0; k <= n; k++) c[k] = random_wide(&seed, -range, range);
+        roots += check(c, n, ldexp(1, random_int(&seed, 2000) - 1000));
     }
     assert_true(roots > 300);
 }

@@ -34,19 +34,19 @@ static uint64_t first_seed = 20261125;
 static long clear_count; /* rays that need no chord */
 
 static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + exact_random_unit(seed));
+    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
 }
 
 static double power_between(uint64_t *seed, double lo, double hi) { return exp2(uniform(seed, lo, hi)); }
 
 /* 0, or of either sign and some size between powers of two. */
 static double little(uint64_t *seed, double lo, double hi) {
-    return (exact_random_int(seed, 3) - 1) * power_between(seed, lo, hi);
+    return (random_int(seed, 3) - 1) * power_between(seed, lo, hi);
 }
 
 static void random_unit3(uint64_t *seed, double d[3]) {
     do
-        for (int i = 0; i < 3; i++) d[i] = exact_random_int(seed, 4) ? exact_random_unit(seed) : 0;
+        for (int i = 0; i < 3; i++) d[i] = random_int(seed, 4) ? random_unit(seed) : 0;
     while (!algsurf_unit(d, d));
 }
 
@@ -235,8 +235,8 @@ static void random_axes(uint64_t *seed, double axis[3][3]) {
 /* Through (x,y,z), within the bounds of forms; the slopes of either sign, large, small or 0. */
 static void aim_line(test_line *l, uint64_t *seed, const double at[3]) {
     do {
-        l->a = exact_random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
-        l->b = exact_random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
+        l->a = random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
+        l->b = random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
         l->u = at[0] - l->a * at[2], l->v = at[1] - l->b * at[2];
     } while (!(fabs(l->u) + fabs(l->a) < 4 && fabs(l->v) + fabs(l->b) < 4));
 }
@@ -263,15 +263,14 @@ static void in_view(const test_line *l, const double point[3], double at[3]) {
 static void pass_box(test_line *l, uint64_t *seed) {
     double point[3], at[3], *h = l->job.extent_size;
     for (int i = 0; i < 3; i++) {
-        double side = exact_random_int(seed, 2) ? 1 : -1;
-        point[i] =
-            exact_random_int(seed, 3) ? side * h[i] + little(seed, -52, -8) : uniform(seed, -h[i], h[i]);
+        double side = random_int(seed, 2) ? 1 : -1;
+        point[i] = random_int(seed, 3) ? side * h[i] + little(seed, -52, -8) : uniform(seed, -h[i], h[i]);
     }
     in_view(l, point, at);
     aim_line(l, seed, at);
-    if (exact_random_int(seed, 2)) return;
+    if (random_int(seed, 2)) return;
     double along[3], across[3], direction[3], n[3] = {0, 0, 0};
-    n[exact_random_int(seed, 3)] = 1;
+    n[random_int(seed, 3)] = 1;
     random_across(seed, n, across);
     for (int i = 0; i < 3; i++) across[i] += n[i] * little(seed, -30, -10);
     in_view(l, across, along);
@@ -287,32 +286,32 @@ static void random_plane(test_line *l, uint64_t *seed, algsurf_i_cut_plane *p) {
     const double at[3] = {l->u + z * l->a, l->v + z * l->b, z}, along[3] = {l->a, l->b, 1};
     (void)algsurf_unit(along, direction);
     random_unit3(seed, p->normal);
-    if (exact_random_int(seed, 3) == 0) {
+    if (random_int(seed, 3) == 0) {
         random_across(seed, direction, p->normal);
         for (int i = 0; i < 3; i++) p->normal[i] += direction[i] * little(seed, -30, -10);
         (void)algsurf_unit(p->normal, p->normal);
     }
-    p->offset = algsurf_dot(p->normal, at) + (exact_random_int(seed, 2) ? little(seed, -50, -10) : 0);
-    if (exact_random_int(seed, 6) == 0) p->offset = uniform(seed, -11, 4);
+    p->offset = algsurf_dot(p->normal, at) + (random_int(seed, 2) ? little(seed, -50, -10) : 0);
+    if (random_int(seed, 6) == 0) p->offset = uniform(seed, -11, 4);
     p->error = 0;
 }
 
 static void random_line(test_line *l, uint64_t *seed) {
     memset(l, 0, sizeof *l);
-    int box = exact_random_int(seed, 2), tangent = exact_random_int(seed, 2);
+    int box = random_int(seed, 2), tangent = random_int(seed, 2);
     double at[3] = {uniform(seed, -0.6, 0.6), uniform(seed, -0.6, 0.6), uniform(seed, -0.6, 0.6)};
     random_axes(seed, l->view.axis);
     l->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
     l->job =
         (algsurf_i_row_job){.view = &l->view, .row = &l->form, .extent = &l->extent, .planes = l->planes};
     for (int i = 0; i < 3; i++)
-        l->job.extent_size[i] = !box                        ? 1 / (1 + 0x1p-20)
-                                : exact_random_int(seed, 4) ? uniform(seed, 0.1, 0.57)
-                                                            : power_between(seed, -45, -1.5);
+        l->job.extent_size[i] = !box                  ? 1 / (1 + 0x1p-20)
+                                : random_int(seed, 4) ? uniform(seed, 0.1, 0.57)
+                                                      : power_between(seed, -45, -1.5);
     aim_line(l, seed, at);
     if (tangent && box) pass_box(l, seed);
     if (tangent && !box) touch_ball(l, seed, l->job.extent_size[0]);
-    l->job.plane_count = exact_random_int(seed, 3);
+    l->job.plane_count = random_int(seed, 3);
     for (int i = 0; i < l->job.plane_count; i++) random_plane(l, seed, l->planes + i);
 }
 
@@ -382,23 +381,22 @@ typedef struct test_view {
 /* What the camera looks at: a place inside, where it touches the sphere, a box's edge; and from where. */
 static void random_aim(const test_view *v, uint64_t *seed, double eye[3], double aim[3]) {
     const double *h = v->extent.size;
-    int box = v->extent.kind == ALGSURF_EXTENT_BOX, face = exact_random_int(seed, 3);
+    int box = v->extent.kind == ALGSURF_EXTENT_BOX, face = random_int(seed, 3);
     double radius = box ? algsurf_length(h) : h[0], away[3], across[3];
-    double far = exact_random_int(seed, 3) ? uniform(seed, 1.01, 6) : power_between(seed, -2, 26);
-    int hard = exact_random_int(seed, 4);
+    double far = random_int(seed, 3) ? uniform(seed, 1.01, 6) : power_between(seed, -2, 26);
+    int hard = random_int(seed, 4);
     random_unit3(seed, away);
     random_across(seed, away, across);
     double slant = far > 1 ? 1 / far : 0, off = 1 + little(seed, -50, -10);
     for (int i = 0; i < 3; i++) {
         eye[i] = far * radius * away[i];
-        aim[i] = 0.5 * h[box ? i : 0] * exact_random_unit(seed);
+        aim[i] = 0.5 * h[box ? i : 0] * random_unit(seed);
         if (hard == 1 && !box)
             aim[i] = off * radius * (slant * away[i] + sqrt(1 - slant * slant) * across[i]);
-        if (hard == 1 && box && exact_random_int(seed, 3))
-            aim[i] = copysign(h[i], exact_random_unit(seed)) * off;
+        if (hard == 1 && box && random_int(seed, 3)) aim[i] = copysign(h[i], random_unit(seed)) * off;
     }
     if (hard != 2 || !box) return;
-    aim[face] = copysign(h[face], exact_random_unit(seed)) * off; /* along a face */
+    aim[face] = copysign(h[face], random_unit(seed)) * off; /* along a face */
     eye[face] = aim[face] + far * radius * little(seed, -30, -12);
 }
 
@@ -406,12 +404,12 @@ static void random_aim(const test_view *v, uint64_t *seed, double eye[3], double
 static void random_cut(const test_view *v, uint64_t *seed, const double aim[3], algsurf_plane *p) {
     double length = power_between(seed, -40, 40), at[3];
     random_unit3(seed, p->normal);
-    if (exact_random_int(seed, 3) == 0) {
+    if (random_int(seed, 3) == 0) {
         random_across(seed, v->camera.forward, p->normal);
         for (int i = 0; i < 3; i++) p->normal[i] += v->camera.forward[i] * little(seed, -30, -10);
     }
     for (int i = 0; i < 3; i++) at[i] = v->extent.centre[i] + aim[i];
-    if (exact_random_int(seed, 4) == 0)
+    if (random_int(seed, 4) == 0)
         for (int i = 0; i < 3; i++) at[i] = v->extent.centre[i] + v->extent.size[0] * p->normal[i];
     for (int i = 0; i < 3; i++) p->normal[i] *= length;
     p->offset = algsurf_dot(p->normal, at) * (1 + little(seed, -52, -20));
@@ -419,24 +417,23 @@ static void random_cut(const test_view *v, uint64_t *seed, const double aim[3], 
 
 static void random_view(test_view *v, uint64_t *seed) {
     static const double sizes[] = {1, 1, 3, 1e-20, 1e20};
-    double radius = sizes[exact_random_int(seed, 5)], eye[3], aim[3], look[3], up[3];
-    double fov = exact_random_int(seed, 2) ? uniform(seed, 1, 170) : pow(10, -uniform(seed, 0, 9));
-    int box = exact_random_int(seed, 2), parallel = exact_random_int(seed, 4) == 0;
-    double far = exact_random_int(seed, 3) ? 0 : radius * power_between(seed, 0, 26);
+    double radius = sizes[random_int(seed, 5)], eye[3], aim[3], look[3], up[3];
+    double fov = random_int(seed, 2) ? uniform(seed, 1, 170) : pow(10, -uniform(seed, 0, 9));
+    int box = random_int(seed, 2), parallel = random_int(seed, 4) == 0;
+    double far = random_int(seed, 3) ? 0 : radius * power_between(seed, 0, 26);
     v->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
     for (int i = 0; i < 3; i++) {
-        v->extent.centre[i] = far * exact_random_unit(seed);
+        v->extent.centre[i] = far * random_unit(seed);
         v->extent.size[i] = box || i == 0 ? radius : 0;
         if (box)
-            v->extent.size[i] *=
-                exact_random_int(seed, 4) ? uniform(seed, 0.2, 1) : power_between(seed, -40, 0);
+            v->extent.size[i] *= random_int(seed, 4) ? uniform(seed, 0.2, 1) : power_between(seed, -40, 0);
     }
     random_aim(v, seed, eye, aim);
     for (int i = 0; i < 3; i++) eye[i] += v->extent.centre[i], look[i] = aim[i] + v->extent.centre[i];
     do random_unit3(seed, up);
     while ((parallel ? algsurf_camera_orthographic(eye, look, up, radius * fov / 40, &v->camera)
                      : algsurf_camera_pinhole(eye, look, up, fov, &v->camera)) != ALGSURF_OK);
-    v->plane_count = exact_random_int(seed, 3);
+    v->plane_count = random_int(seed, 3);
     for (int i = 0; i < v->plane_count; i++) random_cut(v, seed, aim, v->planes + i);
 }
 
@@ -519,7 +516,7 @@ static void check_pixel(const test_view *v, const algsurf_i_picture *picture, co
 
 /* A ray that is said to miss since it stays clear of the view's ball; whichever place in the pixel it has. */
 static void check_clear(const test_view *v, uint64_t *seed, int i, int y) {
-    double sx = exact_random_int(seed, 2) ? 0 : 1, sy = exact_random_int(seed, 2) ? 0 : 1;
+    double sx = random_int(seed, 2) ? 0 : 1, sy = random_int(seed, 2) ? 0 : 1;
     algsurf_ray ray, part;
     int meets;
     assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray));

@@ -16,8 +16,7 @@ static algsurf_cinterval case_rectangle(uint64_t *seed) {
 /* Ordinary rectangles, some scaled far away, some on an axis. */
 static algsurf_cinterval case_ordinary(uint64_t *seed) {
     algsurf_cinterval a = {case_tame(seed), case_tame(seed)};
-    int k = exact_random_int(seed, 4) ? 0 : exact_random_int(seed, 2000) - 1000,
-        axis = exact_random_int(seed, 12);
+    int k = random_int(seed, 4) ? 0 : random_int(seed, 2000) - 1000, axis = random_int(seed, 12);
     a.re = case_sorted(ldexp(a.re.lo, k), ldexp(a.re.hi, k));
     a.im = case_sorted(ldexp(a.im.lo, k), ldexp(a.im.hi, k));
     if (axis == 0) a.im = (algsurf_interval){0, 0};
@@ -134,9 +133,9 @@ TEST(test_division) {
 TEST(test_division_of_points) {
     uint64_t seed = SEED;
     for (int i = 0; i < 4000; i++) {
-        int k = exact_random_int(&seed, 2060) - 1050;
-        algsurf_complex z = {exact_random_wide(&seed, k - 20, k), exact_random_wide(&seed, k - 20, k)};
-        algsurf_complex w = {exact_random_wide(&seed, k - 20, k), exact_random_wide(&seed, k - 20, k)};
+        int k = random_int(&seed, 2060) - 1050;
+        algsurf_complex z = {random_wide(&seed, k - 20, k), random_wide(&seed, k - 20, k)};
+        algsurf_complex w = {random_wide(&seed, k - 20, k), random_wide(&seed, k - 20, k)};
         algsurf_cinterval a = point(z), b = point(w), r;
         assert_ok(algsurf_cinterval_div(a, b, &r));
         double size = algsurf_cinterval_abs(r).hi;
@@ -152,9 +151,9 @@ TEST(test_inverse_is_tight) {
     uint64_t seed = SEED;
     const algsurf_cinterval one = {{1, 1}, {0, 0}};
     for (int i = 0; i < 1500; i++) {
-        double x = 4 * exact_random_unit(&seed), y = 4 * exact_random_unit(&seed);
-        algsurf_cinterval b = {case_sorted(x, x + 3 * exact_random_unit(&seed)),
-                               case_sorted(y, y + 3 * exact_random_unit(&seed))},
+        double x = 4 * random_unit(&seed), y = 4 * random_unit(&seed);
+        algsurf_cinterval b = {case_sorted(x, x + 3 * random_unit(&seed)),
+                               case_sorted(y, y + 3 * random_unit(&seed))},
                           r;
         if (fmin(algsurf_interval_abs(b.re).lo, 9) + algsurf_interval_abs(b.im).lo < 0.1) continue;
         assert_ok(algsurf_cinterval_div(one, b, &r));
@@ -224,7 +223,7 @@ TEST(test_poly) {
     init(&x), init(&y), init(&c);
     int better = 0;
     for (int i = 0; i < 1500; i++) {
-        int n = exact_random_int(&seed, 10), wild = i % 4 == 0;
+        int n = random_int(&seed, 10), wild = i % 4 == 0;
         algsurf_cinterval p[10], z = wild ? case_rectangle(&seed) : case_ordinary(&seed), h, r;
         for (int k = 0; k <= n; k++)
             p[k] = wild ? case_rectangle(&seed) : (algsurf_cinterval){case_tame(&seed), case_tame(&seed)};

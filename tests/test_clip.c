@@ -35,30 +35,30 @@ static const char tangle[] = "x^4 + y^4 + z^4 - 5 (x^2 + y^2 + z^2) + 11.8 = 0";
 
 /* A multiple of 1/2, at most `most` in size. */
 static double short_number(uint64_t *seed, int most) {
-    return 0.5 * (exact_random_int(seed, 4 * most + 1) - 2 * most);
+    return 0.5 * (random_int(seed, 4 * most + 1) - 2 * most);
 }
 
 static void set_direction(double v[3], uint64_t *seed) {
     do {
-        for (int i = 0; i < 3; i++) v[i] = exact_random_int(seed, 2) ? short_number(seed, 2) : 0;
+        for (int i = 0; i < 3; i++) v[i] = random_int(seed, 2) ? short_number(seed, 2) : 0;
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
 }
 
 static void set_ray(algsurf_ray *ray, uint64_t *seed) {
     for (int i = 0; i < 3; i++) ray->origin[i] = short_number(seed, 3);
     set_direction(ray->direction, seed);
-    if (exact_random_int(seed, 4) == 0) /* any numbers */
-        for (int i = 0; i < 3; i++) ray->direction[i] += exact_random_unit(seed);
-    ray->t_min = exact_random_int(seed, 3) ? 0 : -INFINITY;
-    ray->t_max = exact_random_int(seed, 3) ? INFINITY : 4 + short_number(seed, 3);
+    if (random_int(seed, 4) == 0) /* any numbers */
+        for (int i = 0; i < 3; i++) ray->direction[i] += random_unit(seed);
+    ray->t_min = random_int(seed, 3) ? 0 : -INFINITY;
+    ray->t_max = random_int(seed, 3) ? INFINITY : 4 + short_number(seed, 3);
 }
 
 static void set_planes(algsurf_plane *planes, size_t count, uint64_t *seed) {
     for (size_t k = 0; k < count; k++) {
-        int scale = exact_random_int(seed, 8) ? 0 : exact_random_int(seed, 600) - 300;
+        int scale = random_int(seed, 8) ? 0 : random_int(seed, 600) - 300;
         double offset = short_number(seed, 3);
         set_direction(planes[k].normal, seed);
-        if (exact_random_int(seed, 4) == 0) offset = nextafter(offset, 100 * exact_random_unit(seed));
+        if (random_int(seed, 4) == 0) offset = nextafter(offset, 100 * random_unit(seed));
         planes[k].offset = ldexp(offset, scale);
         for (int i = 0; i < 3; i++) planes[k].normal[i] = ldexp(planes[k].normal[i], scale);
     }
@@ -68,12 +68,12 @@ static void set_planes(algsurf_plane *planes, size_t count, uint64_t *seed) {
 static void move_to_hit(algsurf_plane *plane, const algsurf_hit *hit, uint64_t *seed) {
     const double *n = plane->normal, *x = hit->position;
     plane->offset = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
-    if (exact_random_int(seed, 3) == 0) plane->offset = nextafter(plane->offset, exact_random_unit(seed));
+    if (random_int(seed, 3) == 0) plane->offset = nextafter(plane->offset, random_unit(seed));
 }
 
 /* A ball, a box, or null. */
 static const algsurf_extent *some_extent(algsurf_extent *extent, uint64_t *seed) {
-    int kind = exact_random_int(seed, 3);
+    int kind = random_int(seed, 3);
     if (kind == ALGSURF_EXTENT_ALL) return NULL;
     extent->kind = kind;
     for (int i = 0; i < 3; i++) {
@@ -98,20 +98,20 @@ TEST(hits_are_those_kept) {
     static intersect_case cases[EQUATIONS];
     for (int i = 0; i < EQUATIONS; i++) intersect_equation(&cases[i], equations[i]);
     for (int round = 0; round < ROUNDS; round++) {
-        intersect_case *c = &cases[exact_random_int(&seed, EQUATIONS)];
+        intersect_case *c = &cases[random_int(&seed, EQUATIONS)];
         algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
         algsurf_extent extent;
-        int most = exact_random_int(&seed, 4) ? 2 : ALGSURF_MAX_CLIP_PLANES;
+        int most = random_int(&seed, 4) ? 2 : ALGSURF_MAX_CLIP_PLANES;
         const algsurf_intersect_options whole = {.size = sizeof whole};
         algsurf_intersect_options o = {.size = sizeof o, .planes = planes};
         intersect_answer a, uncut;
-        o.plane_count = 1 + (size_t)exact_random_int(&seed, most);
+        o.plane_count = 1 + (size_t)random_int(&seed, most);
         set_ray(&c->ray, &seed);
         set_planes(planes, o.plane_count, &seed);
         const algsurf_extent *in = some_extent(&extent, &seed);
         intersect_ask(c, in, &whole, &uncut);
-        if (uncut.count > 0 && exact_random_int(&seed, 2))
-            move_to_hit(&planes[0], &uncut.all[exact_random_int(&seed, uncut.count)], &seed);
+        if (uncut.count > 0 && random_int(&seed, 2))
+            move_to_hit(&planes[0], &uncut.all[random_int(&seed, uncut.count)], &seed);
         const char *wrong = intersect_verdict(c, in, &o, &a);
         for (size_t k = 0; wrong && k < o.plane_count; k++) {
             exact_print_doubles("normal", planes[k].normal, 3);
@@ -158,8 +158,8 @@ static void ask(const algsurf_surface *surface, const algsurf_extent *extent, do
 static void set_rays(double (*numbers)[RAYS], uint64_t *seed) {
     for (int i = 0; i < RAYS; i++)
         for (int k = 0; k < 3; k++) {
-            numbers[k][i] = 6 * exact_random_unit(seed);
-            numbers[3 + k][i] = 2 * exact_random_unit(seed) - numbers[k][i];
+            numbers[k][i] = 6 * random_unit(seed);
+            numbers[3 + k][i] = 2 * random_unit(seed) - numbers[k][i];
         }
 }
 

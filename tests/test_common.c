@@ -61,8 +61,8 @@ static void judge_parts(bench *t, const algsurf_parts *p, int round) {
 /* gcd(a, b) (or of a and a') must be f, up to sign and content; a = gcd u exactly, b = gcd v; without gcd, u
  * is a / f up to a constant, and u a' = v a. */
 static void judge(bench *t, int own, int round) {
-    algsurf_zpoly a = exact_to_zpoly(t->a, exact_random_int(&t->seed, 2), exact_random_int(&t->seed, 5) == 0);
-    algsurf_zpoly b = exact_to_zpoly(t->b, exact_random_int(&t->seed, 2), exact_random_int(&t->seed, 5) == 0);
+    algsurf_zpoly a = exact_to_zpoly(t->a, random_int(&t->seed, 2), random_int(&t->seed, 5) == 0);
+    algsurf_zpoly b = exact_to_zpoly(t->b, random_int(&t->seed, 2), random_int(&t->seed, 5) == 0);
     algsurf_memory_mark here = algsurf_memory_here(&t->m);
     algsurf_parts p;
     int degree;
@@ -91,7 +91,7 @@ static void euclid(bench *t) {
 
 static int bits_for(uint64_t *seed, int round) {
     static const int most[] = {2, 8, 61, 62, 64, 130, 300, 2000};
-    return most[round % 8] - (round % 8 > 5 ? exact_random_int(seed, 100) : 0);
+    return most[round % 8] - (round % 8 > 5 ? random_int(seed, 100) : 0);
 }
 
 /* a = f r, b = f s with random r, s: f times what r and s share (mostly nothing). */
@@ -101,9 +101,9 @@ TEST(test_products) {
     for (int i = 0; i < 1200; i++) {
         int size = i % 10 ? 5 : 14, bits = bits_for(&t->seed, i);
         if (size == 14 && bits > 300) bits = 300;
-        exact_random_zpoly(&t->seed, t->a, exact_random_int(&t->seed, size), bits);
-        exact_random_zpoly(&t->seed, t->b, exact_random_int(&t->seed, size), bits_for(&t->seed, i / 8));
-        exact_random_zpoly(&t->seed, t->f, exact_random_int(&t->seed, size), bits);
+        random_zpoly(&t->seed, t->a, random_int(&t->seed, size), bits);
+        random_zpoly(&t->seed, t->b, random_int(&t->seed, size), bits_for(&t->seed, i / 8));
+        random_zpoly(&t->seed, t->f, random_int(&t->seed, size), bits);
         exact_zpoly_multiply(t->a, t->a, t->f);
         exact_zpoly_multiply(t->b, t->b, t->f);
         euclid(t);
@@ -119,12 +119,12 @@ TEST(test_with_derivative) {
     bench *t = open_bench(SEED + 1);
     int squarefree = 0, powers = 0, mixed = 0;
     for (int i = 0; i < 800; i++) {
-        int bits = bits_for(&t->seed, i), factors = exact_random_int(&t->seed, 4);
+        int bits = bits_for(&t->seed, i), factors = random_int(&t->seed, 4);
         if (bits > 300) bits = 300;
-        exact_zpoly_constant(t->a, exact_random_int(&t->seed, 3) ? 1 : -36);
+        exact_zpoly_constant(t->a, random_int(&t->seed, 3) ? 1 : -36);
         for (int j = 0; j <= factors; j++) {
-            exact_random_zpoly(&t->seed, t->u, 1 + exact_random_int(&t->seed, 3), bits);
-            for (int k = exact_random_int(&t->seed, 5); k >= 0; k--) exact_zpoly_multiply(t->a, t->a, t->u);
+            random_zpoly(&t->seed, t->u, 1 + random_int(&t->seed, 3), bits);
+            for (int k = random_int(&t->seed, 5); k >= 0; k--) exact_zpoly_multiply(t->a, t->a, t->u);
         }
         exact_zpoly_derive(t->b, t->a);
         euclid(t);
@@ -144,16 +144,16 @@ TEST(test_unlucky_primes) {
     for (int i = 0; i < 300; i++) {
         algsurf_prime m = algsurf_prime_first();
         mpz_set_ui(p, 1);
-        for (int j = 1 + exact_random_int(&t->seed, 4); j > 0; j--) {
+        for (int j = 1 + random_int(&t->seed, 4); j > 0; j--) {
             mpz_t q;
             mpz_init(q);
             mpz_import(q, 1, -1, sizeof m.p, 0, 0, &m.p);
-            if (exact_random_int(&t->seed, 3)) mpz_mul(p, p, q);
+            if (random_int(&t->seed, 3)) mpz_mul(p, p, q);
             mpz_clear(q);
             m = algsurf_prime_next(&m);
         }
-        exact_random_zpoly(&t->seed, t->u, 1 + exact_random_int(&t->seed, 4), 20);
-        exact_random_zpoly(&t->seed, t->f, exact_random_int(&t->seed, 4), i & 1 ? 20 : 250);
+        random_zpoly(&t->seed, t->u, 1 + random_int(&t->seed, 4), 20);
+        random_zpoly(&t->seed, t->f, random_int(&t->seed, 4), i & 1 ? 20 : 250);
         exact_zpoly_set(t->a, t->u), exact_zpoly_set(t->b, t->u);
         if (i % 3 == 0) { /* congruent factors */
             for (int k = 0; k <= t->b->n; k += 2) mpz_add(t->b->c[k], t->b->c[k], p);
@@ -180,8 +180,8 @@ TEST(test_unlucky_primes) {
 TEST(test_divisors) {
     bench *t = open_bench(SEED + 3);
     for (int i = 0; i < 300; i++) {
-        exact_random_zpoly(&t->seed, t->a, 1 + exact_random_int(&t->seed, 8), bits_for(&t->seed, i));
-        exact_random_zpoly(&t->seed, t->u, exact_random_int(&t->seed, 8), 30);
+        random_zpoly(&t->seed, t->a, 1 + random_int(&t->seed, 8), bits_for(&t->seed, i));
+        random_zpoly(&t->seed, t->u, random_int(&t->seed, 8), 30);
         exact_zpoly_set(t->b, t->a);
         if (i & 1) exact_zpoly_primitive(t->a);
         exact_zpoly_multiply(t->b, t->b, t->u);
@@ -196,8 +196,8 @@ TEST(test_divisors) {
 TEST(test_constants_and_zero) {
     bench *t = open_bench(SEED + 4);
     for (int i = 0; i < 60; i++) {
-        exact_random_zpoly(&t->seed, t->a, exact_random_int(&t->seed, 4) - 1, 70);
-        exact_random_zpoly(&t->seed, t->b, exact_random_int(&t->seed, 2) - 1, 70);
+        random_zpoly(&t->seed, t->a, random_int(&t->seed, 4) - 1, 70);
+        random_zpoly(&t->seed, t->b, random_int(&t->seed, 2) - 1, 70);
         if (t->a->n < 0 && t->b->n < 0) continue;
         euclid(t);
         judge(t, 0, i);
@@ -209,8 +209,8 @@ TEST(test_constants_and_zero) {
 TEST(test_out_of_memory) {
     bench *t = open_bench(SEED + 5);
     int failures = 0, successes = 0;
-    exact_random_zpoly(&t->seed, t->a, 12, 300);
-    exact_random_zpoly(&t->seed, t->f, 12, 300);
+    random_zpoly(&t->seed, t->a, 12, 300);
+    random_zpoly(&t->seed, t->f, 12, 300);
     exact_zpoly_multiply(t->b, t->f, t->f);
     exact_zpoly_multiply(t->a, t->a, t->b);
     algsurf_zpoly a = exact_to_zpoly(t->a, 0, 0);
@@ -235,15 +235,15 @@ TEST(test_out_of_memory) {
 /* A large one: degree 512, in blocks that are allocated. */
 TEST(test_large) {
     bench *t = open_bench(SEED + 6);
-    exact_random_zpoly(&t->seed, t->a, 60, 4000);
-    exact_random_zpoly(&t->seed, t->b, 40, 3000);
-    exact_random_zpoly(&t->seed, t->f, 2, 500);
+    random_zpoly(&t->seed, t->a, 60, 4000);
+    random_zpoly(&t->seed, t->b, 40, 3000);
+    random_zpoly(&t->seed, t->f, 2, 500);
     mpz_set_ui(t->a->c[0], 1); /* 0 is a root of f at most */
     exact_zpoly_multiply(t->a, t->a, t->f), exact_zpoly_multiply(t->b, t->b, t->f);
     judge(t, 0, 0);
-    exact_random_zpoly(&t->seed, t->f, 128, 12);
+    random_zpoly(&t->seed, t->f, 128, 12);
     exact_zpoly_multiply(t->b, t->f, t->f);
-    exact_random_zpoly(&t->seed, t->a, 256, 12);
+    random_zpoly(&t->seed, t->a, 256, 12);
     mpz_set_ui(t->a->c[0], 1);
     exact_zpoly_multiply(t->a, t->a, t->b);
     judge(t, 1, 1);

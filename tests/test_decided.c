@@ -65,7 +65,7 @@ static void set_equation(const char *text) { intersect_equation(&c, text); }
 
 static void done(void) { algsurf_surface_free(c.surface); }
 
-static int whole(uint64_t *seed, int most) { return exact_random_int(seed, 2 * most + 1) - most; }
+static int whole(uint64_t *seed, int most) { return random_int(seed, 2 * most + 1) - most; }
 
 /* Through a point with whole coordinates, which is at t = passed/steps; all numbers are whole. */
 static void ray_through(uint64_t *seed, const int point[3], const int d[3], int passed, int steps) {
@@ -73,8 +73,8 @@ static void ray_through(uint64_t *seed, const int point[3], const int d[3], int 
         c.ray.origin[i] = point[i] - passed * d[i];
         c.ray.direction[i] = steps * d[i];
     }
-    c.ray.t_min = exact_random_int(seed, 3) ? 0 : -9;
-    c.ray.t_max = exact_random_int(seed, 2) ? INFINITY : 9;
+    c.ray.t_min = random_int(seed, 3) ? 0 : -9;
+    c.ray.t_max = random_int(seed, 2) ? INFINITY : 9;
 }
 
 static void random_direction(uint64_t *seed, int d[3]) {
@@ -92,7 +92,7 @@ TEST(test_powers) {
     uint64_t seed = begin("powers");
     for (int i = 0; i < 150 * rounds; i++) {
         char text[200];
-        int point[3], d[3], n = whole(&seed, 3), across[3], steps = 1 + exact_random_int(&seed, 11);
+        int point[3], d[3], n = whole(&seed, 3), across[3], steps = 1 + random_int(&seed, 11);
         for (int k = 0; k < 3; k++) point[k] = whole(&seed, 3);
         random_direction(&seed, d);
         for (int k = 0; k < 3; k++) /* at right angles to the point */
@@ -126,7 +126,7 @@ TEST(test_conjugates) {
         for (int k = 0; k < 3; k++) point[k] = whole(&seed, 2);
         random_direction(&seed, d);
         set_equation(equations[i % 6]);
-        ray_through(&seed, point, d, 1 + exact_random_int(&seed, 3), 1 + exact_random_int(&seed, 6));
+        ray_through(&seed, point, d, 1 + random_int(&seed, 3), 1 + random_int(&seed, 6));
         decide(NULL);
         done();
     }
@@ -146,12 +146,12 @@ TEST(test_gaps) {
                                             "(11 x - 3)^4 - y^4",
                                             "((3 x - 1)^2 - y^2)^2"};
     uint64_t seed = begin("gaps");
-    for (int k = 1; k <= 300; k += 1 + exact_random_int(&seed, 5)) {
-        set_equation(equations[exact_random_int(&seed, 9)]);
+    for (int k = 1; k <= 300; k += 1 + random_int(&seed, 5)) {
+        set_equation(equations[random_int(&seed, 9)]);
         for (int i = 0; i < rounds; i++) {
-            int shift = exact_random_int(&seed, 3);
-            c.ray = (algsurf_ray){{-shift, ldexp(1, -k), 0}, {1 + exact_random_int(&seed, 3), 0, 0}, 0, 9};
-            if (exact_random_int(&seed, 4) == 0) c.ray.t_max = INFINITY;
+            int shift = random_int(&seed, 3);
+            c.ray = (algsurf_ray){{-shift, ldexp(1, -k), 0}, {1 + random_int(&seed, 3), 0, 0}, 0, 9};
+            if (random_int(&seed, 4) == 0) c.ray.t_max = INFINITY;
             decide(NULL);
         }
         done();
@@ -164,23 +164,23 @@ TEST(test_gaps) {
 /* Lines that meet a ball of radius 5 about the origin in whole points: where y^2 + z^2 is 9, 16 or 25. */
 static void ball_case(uint64_t *seed, double off, char *text, size_t size) {
     static const int heights[][2] = {{3, 4}, {4, 3}, {5, 0}, {0, 5}};
-    const int *h = heights[exact_random_int(seed, 4)];
-    int steps = 1 + exact_random_int(seed, 7), power = 1 + exact_random_int(seed, 3);
-    int end_x = exact_random_int(seed, 2) ? h[1] : -h[1];
+    const int *h = heights[random_int(seed, 4)];
+    int steps = 1 + random_int(seed, 7), power = 1 + random_int(seed, 3);
+    int end_x = random_int(seed, 2) ? h[1] : -h[1];
     c.ray = (algsurf_ray){{-9, h[0], off}, {steps, 0, 0}, 0, INFINITY};
-    (void)snprintf(text, size, "(x - (%d) %s z)^%d %s", end_x, exact_random_int(seed, 2) ? "+" : "-", power,
-                   exact_random_int(seed, 2) ? "(x + 1/2)" : "(x^2 + y^2 + 1)");
+    (void)snprintf(text, size, "(x - (%d) %s z)^%d %s", end_x, random_int(seed, 2) ? "+" : "-", power,
+                   random_int(seed, 2) ? "(x + 1/2)" : "(x^2 + y^2 + 1)");
 }
 
 /* Faces of a box about (1,2,3) with half sizes (3,2,1). */
 static void box_case(uint64_t *seed, double off, char *text, size_t size) {
     static const int face[] = {4, -2};
-    int steps = 1 + exact_random_int(seed, 7), power = 1 + exact_random_int(seed, 3);
+    int steps = 1 + random_int(seed, 7), power = 1 + random_int(seed, 3);
     c.ray = (algsurf_ray){{-7, whole(seed, 1) + 1, 4 - off}, {3 * steps, 0, 0}, 0, INFINITY};
-    if (exact_random_int(seed, 2)) c.ray.direction[1] = 0.25 * steps * exact_random_int(seed, 2);
-    (void)snprintf(text, size, "(x - (%d) %s (z - 4))^%d %s", face[exact_random_int(seed, 2)],
-                   exact_random_int(seed, 2) ? "+" : "-", power,
-                   exact_random_int(seed, 2) ? "(x + 1/2)" : "(x^2 + y^2 + 1)");
+    if (random_int(seed, 2)) c.ray.direction[1] = 0.25 * steps * random_int(seed, 2);
+    (void)snprintf(text, size, "(x - (%d) %s (z - 4))^%d %s", face[random_int(seed, 2)],
+                   random_int(seed, 2) ? "+" : "-", power,
+                   random_int(seed, 2) ? "(x + 1/2)" : "(x^2 + y^2 + 1)");
 }
 
 TEST(test_extents) {
@@ -189,7 +189,7 @@ TEST(test_extents) {
     uint64_t seed = begin("extents");
     for (int i = 0; i < 300 * rounds; i++) {
         char text[200];
-        double off = i % 3 ? ldexp(1, -1 - exact_random_int(&seed, 200)) : 0;
+        double off = i % 3 ? ldexp(1, -1 - random_int(&seed, 200)) : 0;
         if (i % 2)
             box_case(&seed, off, text, sizeof text);
         else
@@ -212,8 +212,8 @@ TEST(test_own_extent) {
     for (int i = 0; i < 200 * rounds; i++) {
         set_equation(equations[i % 4]);
         for (int k = 0; k < 3; k++) {
-            c.ray.direction[k] = exact_random_unit(&seed);
-            c.ray.origin[k] = 0.9 * exact_random_unit(&seed) - 4 * c.ray.direction[k];
+            c.ray.direction[k] = random_unit(&seed);
+            c.ray.origin[k] = 0.9 * random_unit(&seed) - 4 * c.ray.direction[k];
         }
         if (i % 5 == 0) c.ray = (algsurf_ray){{-3, 1, 0}, {1, 0, 0}, 0, 0}; /* touches the ball */
         c.ray.t_min = 0, c.ray.t_max = INFINITY;
@@ -232,7 +232,7 @@ static void through(uint64_t *seed, const char *equation, const int point[3], co
     for (int i = 0; i < count; i++) {
         int d[3];
         random_direction(seed, d);
-        ray_through(seed, point, d, 1 + exact_random_int(seed, 4), 1 + exact_random_int(seed, 6));
+        ray_through(seed, point, d, 1 + random_int(seed, 4), 1 + random_int(seed, 6));
         decide(i % 2 ? extent : NULL);
     }
     done();
@@ -270,7 +270,7 @@ TEST(test_nodes) {
     for (int i = 0; i < 160 * rounds; i++) {
         const double *node = nodes[i % 8];
         for (int k = 0; k < 3; k++) {
-            c.ray.direction[k] = exact_random_unit(&seed);
+            c.ray.direction[k] = random_unit(&seed);
             c.ray.origin[k] = node[k] - 3 * c.ray.direction[k];
         }
         c.ray.t_min = 0, c.ray.t_max = INFINITY;
@@ -332,7 +332,7 @@ TEST(test_degrees) {
             int d[3], point[3];
             for (int k = 0; k < 3; k++) point[k] = whole(&seed, 1);
             random_direction(&seed, d);
-            ray_through(&seed, point, d, 1, 1 + exact_random_int(&seed, 3));
+            ray_through(&seed, point, d, 1, 1 + random_int(&seed, 3));
             decide(NULL);
         }
         done();
@@ -340,29 +340,26 @@ TEST(test_degrees) {
     end(130, 60, 10, 0, 0);
 }
 
-static double any_double(uint64_t *seed, int i) {
-    return i % 7 == 0 ? 0 : exact_random_wide(seed, -1074, 1023);
-}
+static double any_double(uint64_t *seed, int i) { return i % 7 == 0 ? 0 : random_wide(seed, -1074, 1023); }
 
 TEST(test_exponents) {
     uint64_t seed = begin("exponents");
     for (int i = 0; i < 150 * rounds; i++) {
         algsurf_term terms[6];
-        int n = 1 + exact_random_int(&seed, 5), count = 2 + exact_random_int(&seed, 5);
+        int n = 1 + random_int(&seed, 5), count = 2 + random_int(&seed, 5);
         for (int k = 0; k < count; k++) {
             int e[3] = {0, 0, 0};
-            for (int total = exact_random_int(&seed, n + 1); total > 0; total--)
-                e[exact_random_int(&seed, 3)]++;
-            terms[k] = (algsurf_term){e[0], e[1], e[2], exact_random_wide(&seed, -1074, 1023)};
+            for (int total = random_int(&seed, n + 1); total > 0; total--) e[random_int(&seed, 3)]++;
+            terms[k] = (algsurf_term){e[0], e[1], e[2], random_wide(&seed, -1074, 1023)};
         }
         if (!intersect_terms(&c, terms, count)) continue;
         const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {fabs(any_double(&seed, 1)), 0, 0}};
         for (int k = 0; k < 3; k++) {
-            c.ray.origin[k] = any_double(&seed, exact_random_int(&seed, 14));
-            c.ray.direction[k] = any_double(&seed, exact_random_int(&seed, 14));
+            c.ray.origin[k] = any_double(&seed, random_int(&seed, 14));
+            c.ray.direction[k] = any_double(&seed, random_int(&seed, 14));
         }
         if (c.ray.direction[0] == 0 && c.ray.direction[1] == 0) c.ray.direction[2] = 0x1p-1074;
-        c.ray.t_min = exact_random_int(&seed, 2) ? -INFINITY : 0, c.ray.t_max = INFINITY;
+        c.ray.t_min = random_int(&seed, 2) ? -INFINITY : 0, c.ray.t_max = INFINITY;
         decide(i % 3 ? NULL : &ball);
         done();
     }
@@ -518,8 +515,8 @@ TEST(test_powers_of_a_sphere) {
         for (int k = 0; k < rows[i].rays; k++) {
             algsurf_hit hit;
             for (int axis = 0; axis < 3; axis++) {
-                c.ray.direction[axis] = exact_random_unit(&seed);
-                c.ray.origin[axis] = 1.2 * exact_random_unit(&seed) - 4 * c.ray.direction[axis];
+                c.ray.direction[axis] = random_unit(&seed);
+                c.ray.origin[axis] = 1.2 * random_unit(&seed) - 4 * c.ray.direction[axis];
             }
             c.ray.t_min = -INFINITY, c.ray.t_max = INFINITY;
             double begun = unit_seconds();

@@ -43,22 +43,22 @@ static int holds(const box *b, const double p[3], double slack) {
 
 static algsurf_surface *random_surface(uint64_t *state) {
     algsurf_term terms[24];
-    int degree = 1 + (int)(exact_random(state) % 12), count = 3 + (int)(exact_random(state) % 20);
+    int degree = 1 + (int)(random_bits(state) % 12), count = 3 + (int)(random_bits(state) % 20);
     algsurf_surface *surface;
     for (int k = 0; k < count; k++) {
-        int left = (int)(exact_random(state) % (unsigned)(degree + 1)),
-            i = (int)(exact_random(state) % (unsigned)(left + 1));
-        int j = (int)(exact_random(state) % (unsigned)(left - i + 1));
-        terms[k] = (algsurf_term){i, j, left - i - j, exact_random_unit(state)};
+        int left = (int)(random_bits(state) % (unsigned)(degree + 1)),
+            i = (int)(random_bits(state) % (unsigned)(left + 1));
+        int j = (int)(random_bits(state) % (unsigned)(left - i + 1));
+        terms[k] = (algsurf_term){i, j, left - i - j, random_unit(state)};
     }
     return algsurf_surface_from_terms(terms, (size_t)count, &surface) == ALGSURF_OK ? surface : NULL;
 }
 
 static algsurf_extent random_extent(uint64_t *state) {
-    algsurf_extent e = {.kind = exact_random(state) % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
+    algsurf_extent e = {.kind = random_bits(state) % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
     for (int i = 0; i < 3; i++) {
-        e.centre[i] = 2 * exact_random_unit(state);
-        e.size[i] = 0.1 + 2 * fabs(exact_random_unit(state));
+        e.centre[i] = 2 * random_unit(state);
+        e.size[i] = 0.1 + 2 * fabs(random_unit(state));
     }
     return e;
 }
@@ -70,8 +70,8 @@ static int check_ray(const algsurf_surface *surface, const algsurf_extent *exten
     algsurf_hit hits[ALGSURF_MAX_DEGREE];
     int count = 0;
     for (int i = 0; i < 3; i++) {
-        ray.origin[i] = extent->centre[i] + exact_random_unit(state);
-        ray.direction[i] = exact_random_unit(state);
+        ray.origin[i] = extent->centre[i] + random_unit(state);
+        ray.direction[i] = random_unit(state);
     }
     algsurf_status status =
         algsurf_intersect_all(surface, extent, &ray, NULL, hits, ALGSURF_MAX_DEGREE, &count);
@@ -103,7 +103,7 @@ TEST(hits) {
 /* ---- points, which rounding may lose ---- */
 
 static double coordinate(uint64_t *state, int bits) {
-    return (double)(int64_t)(exact_random(state) >> (64 - bits));
+    return (double)(int64_t)(random_bits(state) >> (64 - bits));
 }
 
 /* (x-a)^2 + m (y-b)^2 + (z-c)^2: one point, where all terms cancel. */
@@ -203,13 +203,13 @@ TEST(ends) {
     (void)check_plane(10, 9, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1, 1, 1}, {0.1, 0.1, 0.1}});
     (void)check_plane(10, 1e10 - 3, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1e9, 1, 1e17}, {1, 0.1, 0.3}});
     for (int turn = 0; turn < 500; turn++) {
-        int scale = exact_random_int(&random, 2080) - 1070, fine = exact_random_int(&random, 60);
+        int scale = random_int(&random, 2080) - 1070, fine = random_int(&random, 60);
         algsurf_extent e = {.kind = turn % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
         for (int i = 0; i < 3; i++) {
-            e.centre[i] = ldexp(exact_random_unit(&random), scale);
-            e.size[i] = fmax(0x1p-1074, ldexp(0.1 + fabs(exact_random_unit(&random)), scale - fine));
+            e.centre[i] = ldexp(random_unit(&random), scale);
+            e.size[i] = fmax(0x1p-1074, ldexp(0.1 + fabs(random_unit(&random)), scale - fine));
         }
-        double a = turn % 2 ? 1 : 1 + exact_random_int(&random, 99), half = 0.9 * exact_random_unit(&random);
+        double a = turn % 2 ? 1 : 1 + random_int(&random, 99), half = 0.9 * random_unit(&random);
         inside += check_plane(a, turn % 2 ? e.centre[0] : a * (e.centre[0] + half * e.size[0]), &e);
     }
     if (inside < 375) fail_msg("only %d of 500 are inside", inside);

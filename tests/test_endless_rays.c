@@ -34,17 +34,17 @@ static void set_ends(uint64_t *seed) {
     static const double ends[][2] = {{0, INFINITY},         {-INFINITY, INFINITY}, {-INFINITY, 0},
                                      {0x1p-1074, DBL_MAX},  {-1e6, 1e6},           {-0.3, INFINITY},
                                      {-INFINITY, 0x1.8p10}, {1e4, INFINITY}};
-    const double *e = ends[exact_random_int(seed, 3) ? exact_random_int(seed, 3) : exact_random_int(seed, 8)];
+    const double *e = ends[random_int(seed, 3) ? random_int(seed, 3) : random_int(seed, 8)];
     c.ray.t_min = e[0], c.ray.t_max = e[1];
 }
 
 /* Rays near the surface and from far away, towards it and past it, directions of all lengths. */
 static void set_ray(uint64_t *seed) {
-    double far = exact_random_int(seed, 2) ? 4 : ldexp(1, exact_random_int(seed, 30));
-    double length = exact_random_int(seed, 4) ? 1 : ldexp(1, exact_random_int(seed, 200) - 100);
-    for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_unit(seed);
+    double far = random_int(seed, 2) ? 4 : ldexp(1, random_int(seed, 30));
+    double length = random_int(seed, 4) ? 1 : ldexp(1, random_int(seed, 200) - 100);
+    for (int i = 0; i < 3; i++) c.ray.direction[i] = random_unit(seed);
     for (int i = 0; i < 3; i++) {
-        c.ray.origin[i] = 1.5 * exact_random_unit(seed) - far * c.ray.direction[i];
+        c.ray.origin[i] = 1.5 * random_unit(seed) - far * c.ray.direction[i];
         c.ray.direction[i] *= length;
     }
     set_ends(seed);
@@ -53,9 +53,9 @@ static void set_ray(uint64_t *seed) {
 /* Small whole numbers: degrees that drop, lines in the surface, roots that touch. */
 static void set_short_ray(uint64_t *seed) {
     do {
-        for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_int(seed, 5) - 2;
+        for (int i = 0; i < 3; i++) c.ray.direction[i] = random_int(seed, 5) - 2;
     } while (c.ray.direction[0] == 0 && c.ray.direction[1] == 0 && c.ray.direction[2] == 0);
-    for (int i = 0; i < 3; i++) c.ray.origin[i] = 0.25 * (exact_random_int(seed, 17) - 8);
+    for (int i = 0; i < 3; i++) c.ray.origin[i] = 0.25 * (random_int(seed, 17) - 8);
     set_ends(seed);
 }
 
@@ -136,9 +136,8 @@ TEST(nearly_asymptotic) {
         for (int k = 0; k <= 70; k++)
             for (int i = 0; i < 4; i++, rounds++) {
                 set_ray(&seed);
-                if (e == 1)
-                    c.ray.direction[exact_random_int(&seed, 2) * 2] = ldexp(exact_random_unit(&seed), -k);
-                if (e == 2) c.ray.direction[2] = ldexp(exact_random_unit(&seed), -k);
+                if (e == 1) c.ray.direction[random_int(&seed, 2) * 2] = ldexp(random_unit(&seed), -k);
+                if (e == 2) c.ray.direction[2] = ldexp(random_unit(&seed), -k);
                 decided += judge(NULL);
             }
         algsurf_surface_free(c.surface);
@@ -155,17 +154,17 @@ TEST(planes) {
         for (int i = 0; i < 100; i++, rounds++) {
             algsurf_plane plane[2] = {{{0}, 0}, {{0}, 0}};
             const algsurf_intersect_options o = {
-                .size = sizeof o, .planes = plane, .plane_count = (size_t)(1 + exact_random_int(&seed, 2))};
-            int axis = exact_random_int(&seed, 3);
+                .size = sizeof o, .planes = plane, .plane_count = (size_t)(1 + random_int(&seed, 2))};
+            int axis = random_int(&seed, 3);
             set_ray(&seed);
             for (int k = 0; k < 2; k++) {
-                for (int j = 0; j < 3; j++) plane[k].normal[j] = exact_random_unit(&seed);
-                plane[k].offset = 0.7 * exact_random_unit(&seed);
+                for (int j = 0; j < 3; j++) plane[k].normal[j] = random_unit(&seed);
+                plane[k].offset = 0.7 * random_unit(&seed);
             }
-            if (exact_random_int(&seed, 2)) { /* along the first one */
+            if (random_int(&seed, 2)) { /* along the first one */
                 for (int j = 0; j < 3; j++) plane[0].normal[j] = j == axis;
-                c.ray.direction[axis] = exact_random_int(&seed, 4) ? 0 : ldexp(1, -1074);
-                c.ray.origin[axis] = exact_random_int(&seed, 8) ? c.ray.origin[axis] : plane[0].offset;
+                c.ray.direction[axis] = random_int(&seed, 4) ? 0 : ldexp(1, -1074);
+                c.ray.origin[axis] = random_int(&seed, 8) ? c.ray.origin[axis] : plane[0].offset;
             }
             decided += judge(&o);
         }
@@ -189,7 +188,7 @@ TEST(packets) {
             for (int k = 0; k < 3; k++)
                 numbers[k][i] = c.ray.origin[k], numbers[3 + k][i] = c.ray.direction[k];
             numbers[6][i] = c.ray.t_min, numbers[7][i] = c.ray.t_max;
-            active[i] = exact_random_int(&seed, 9) > 0;
+            active[i] = random_int(&seed, 9) > 0;
         }
         for (int kernel = 0; (name = algsurf_kernel_name(kernel)) != NULL; kernel++) {
             const algsurf_intersect_options o = {.size = sizeof o, .kernel = name};

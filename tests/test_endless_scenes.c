@@ -61,10 +61,10 @@ static algsurf_camera random_camera(uint64_t *seed, int number) {
     static const double away[] = {6, 2.5, 40, 0.4, 1e4, 15};
     double eye[3], at[3], forward[3], far = away[number % 6], length = 0;
     algsurf_camera camera;
-    for (int i = 0; i < 3; i++) forward[i] = exact_random_unit(seed), length += forward[i] * forward[i];
+    for (int i = 0; i < 3; i++) forward[i] = random_unit(seed), length += forward[i] * forward[i];
     if (number % 5 == 4) forward[0] = forward[1] = 0, forward[2] = length = 1;
     for (int i = 0; i < 3; i++) {
-        at[i] = (number % 4 == 3 ? 4 : 0.5) * exact_random_unit(seed);
+        at[i] = (number % 4 == 3 ? 4 : 0.5) * random_unit(seed);
         eye[i] = at[i] - far * forward[i] / sqrt(length);
     }
     const double up[3] = {0.1, 1, 0.2};
@@ -81,7 +81,7 @@ TEST(pixels_show_what_their_rays_hit) {
         algsurf_surface *surface = surface_of(equations[e]);
         for (int number = 0; number < 48; number++) {
             const algsurf_camera camera = random_camera(&seed, number);
-            const algsurf_plane plane = {{exact_random_unit(&seed), exact_random_unit(&seed), 1}, 0.3};
+            const algsurf_plane plane = {{random_unit(&seed), random_unit(&seed), 1}, 0.3};
             algsurf_intersect_options options = {.size = sizeof options};
             algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
             if (number % 3 == 2) {

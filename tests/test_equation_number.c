@@ -66,8 +66,8 @@ TEST(test_numbers) {
     uint64_t state = seed;
     for (int n = 0; n < 20000; n++) {
         char text[1200];
-        double x = exact_random_wide(&state, -1074, 1023), y = nextafter(x = fabs(x), 0);
-        int kind = n % 5, digits = exact_random_int(&state, 22);
+        double x = random_wide(&state, -1074, 1023), y = nextafter(x = fabs(x), 0);
+        int kind = n % 5, digits = random_int(&state, 22);
         if (kind == 0) snprintf(text, sizeof text, "%.*e", digits, x);
         if (kind == 1) snprintf(text, sizeof text, "%a", x);
         if (kind == 2) snprintf(text, sizeof text, "%.17g", x);

@@ -99,10 +99,10 @@ typedef enum kind { ORDINARY, NEAR_A_LIMB, WHOLE_RANGE, ALL_ONES, INTEGERS } kin
 
 static double number(uint64_t *seed, kind of) {
     static const int range[] = {0, 7, 1000, 3};
-    if (of == INTEGERS) return exact_random_int(seed, 9) - 4;
-    if (of == ORDINARY) return 3 * exact_random_unit(seed);
-    double x = exact_random_wide(seed, -range[of], range[of]);
-    if (of == WHOLE_RANGE && exact_random_int(seed, 8) == 0) x *= 0x1p-1000; /* subnormal, or 0 */
+    if (of == INTEGERS) return random_int(seed, 9) - 4;
+    if (of == ORDINARY) return 3 * random_unit(seed);
+    double x = random_wide(seed, -range[of], range[of]);
+    if (of == WHOLE_RANGE && random_int(seed, 8) == 0) x *= 0x1p-1000; /* subnormal, or 0 */
     if (of == ALL_ONES) {
         int e;
         x = copysign(ldexp(0x1.fffffffffffffp0, (frexp(x, &e), e)), x);
@@ -113,13 +113,13 @@ static double number(uint64_t *seed, kind of) {
 /* May have zero components, but not all. */
 static algsurf_ray random_ray(uint64_t *seed, kind of) {
     algsurf_ray ray = {.t_max = 1};
-    int zeros = exact_random_int(seed, 3);
+    int zeros = random_int(seed, 3);
     for (int i = 0; i < 3; i++) {
-        ray.origin[i] = zeros || exact_random(seed) & 1 ? number(seed, of) : 0;
-        ray.direction[i] = zeros || exact_random(seed) & 1 ? number(seed, of) : 0;
+        ray.origin[i] = zeros || random_bits(seed) & 1 ? number(seed, of) : 0;
+        ray.direction[i] = zeros || random_bits(seed) & 1 ? number(seed, of) : 0;
     }
     if (ray.direction[0] == 0 && ray.direction[1] == 0 && ray.direction[2] == 0)
-        ray.direction[exact_random_int(seed, 3)] = 1;
+        ray.direction[random_int(seed, 3)] = 1;
     return ray;
 }
 
@@ -133,14 +133,14 @@ static int dense(algsurf_term *t, uint64_t *seed, int n, kind of) {
 
 static int sparse(algsurf_term *t, uint64_t *seed, int n, int count, kind of) {
     for (int c = 0; c < count; c++) {
-        int i = exact_random_int(seed, n + 1), j = exact_random_int(seed, n + 1 - i);
-        t[c] = (algsurf_term){i, j, exact_random_int(seed, n + 1 - i - j), number(seed, of)};
+        int i = random_int(seed, n + 1), j = random_int(seed, n + 1 - i);
+        t[c] = (algsurf_term){i, j, random_int(seed, n + 1 - i - j), number(seed, of)};
     }
     return count;
 }
 
 static int random_exponent(uint64_t *seed, kind of) {
-    return exact_random_int(seed, of == WHOLE_RANGE ? 2001 : 21) - (of == WHOLE_RANGE ? 1000 : 10);
+    return random_int(seed, of == WHOLE_RANGE ? 2001 : 21) - (of == WHOLE_RANGE ? 1000 : 10);
 }
 
 static void check_dense(const char *name, kind of, int highest, int rounds) {
@@ -189,7 +189,7 @@ TEST(test_sparse) {
     for (int c = 0; c < 120; c++) {
         kind of = (kind)(c % 5);
         int n = of == WHOLE_RANGE ? 1 + c % 9 : c % 3 ? 1 + c % 12 : 1 + c % 64;
-        int count = sparse(t, &seed, n, 1 + exact_random_int(&seed, 12), of);
+        int count = sparse(t, &seed, n, 1 + random_int(&seed, 12), of);
         algsurf_ray ray = random_ray(&seed, of);
         int degree = check(t, count, &ray, random_exponent(&seed, of));
         if (degree > highest) highest = degree;

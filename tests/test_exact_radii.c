@@ -103,9 +103,9 @@ static void judge_tilted(const set *s, uint64_t *seed) {
         double lo = s->found[i].lo, hi = s->found[i].hi, size = fmax(fabs(lo), fabs(hi));
         if (!s->found[i].sign_lo || !(size < 0x1p60 && size > 0x1p-60)) continue;
         for (int k = 0; k < 4; k++) {
-            int m = exact_random_int(seed, s->p->n + 1), up = exact_random_int(seed, 2);
+            int m = random_int(seed, s->p->n + 1), up = random_int(seed, 2);
             if (m > s->radius->n || mpz_sgn(s->radius->c[m]) == 0) continue;
-            double t = lo + (hi - lo) * fabs(exact_random_unit(seed));
+            double t = lo + (hi - lo) * fabs(random_unit(seed));
             if (t == 0 || !tilt(s, t, m, up)) continue;
             tilted++;
             exact_zpoly_trim(s->member);
@@ -133,8 +133,8 @@ static void judge(set *s, uint64_t *seed) {
     for (int kind = 0; kind < 9; kind++) {
         s->member->n = s->p->n;
         for (int k = 0; k <= s->p->n; k++) {
-            int e = kind < 3 ? kind - 1 : kind == 3 ? (k % 2 ? 1 : -1) : exact_random_int(seed, 3) - 1;
-            e = kind < 6 ? 8 * e : exact_random_int(seed, 17) - 8;
+            int e = kind < 3 ? kind - 1 : kind == 3 ? (k % 2 ? 1 : -1) : random_int(seed, 3) - 1;
+            e = kind < 6 ? 8 * e : random_int(seed, 17) - 8;
             mpz_mul_si(s->member->c[k], s->p->c[k], 8);
             if (e > 0 && k <= s->radius->n) mpz_addmul_ui(s->member->c[k], s->radius->c[k], (unsigned)e);
             if (e < 0 && k <= s->radius->n) mpz_submul_ui(s->member->c[k], s->radius->c[k], (unsigned)-e);
@@ -160,21 +160,21 @@ static void set_free(set *s) {
 }
 
 static void random_interval(uint64_t *seed, set *s) {
-    double a = ldexp(exact_random_unit(seed), exact_random_int(seed, 8) - 2),
-           b = ldexp(exact_random_unit(seed), exact_random_int(seed, 8) - 2);
-    if (exact_random_int(seed, 5) == 0) a = 0;
-    if (exact_random_int(seed, 5) == 0) a = floor(a);
-    if (exact_random_int(seed, 10) == 0) b = a;
+    double a = ldexp(random_unit(seed), random_int(seed, 8) - 2),
+           b = ldexp(random_unit(seed), random_int(seed, 8) - 2);
+    if (random_int(seed, 5) == 0) a = 0;
+    if (random_int(seed, 5) == 0) a = floor(a);
+    if (random_int(seed, 10) == 0) b = a;
     s->lo = fmin(a, b), s->hi = fmax(a, b);
-    if (exact_random_int(seed, 5) == 0) s->lo = exact_random_int(seed, 3) ? -HUGE_VAL : -DBL_MAX;
-    if (exact_random_int(seed, 5) == 0) s->hi = exact_random_int(seed, 3) ? HUGE_VAL : DBL_MAX;
+    if (random_int(seed, 5) == 0) s->lo = random_int(seed, 3) ? -HUGE_VAL : -DBL_MAX;
+    if (random_int(seed, 5) == 0) s->hi = random_int(seed, 3) ? HUGE_VAL : DBL_MAX;
 }
 
 /* Roots of sizes far apart, down to the least doubles and up to beyond the largest. */
 static void spread_sizes(uint64_t *seed, set *s) {
-    int most = exact_random_int(seed, 3) ? 100 : 3000;
+    int most = random_int(seed, 3) ? 100 : 3000;
     for (int k = 0; k <= s->p->n; k++) {
-        unsigned up = (unsigned)exact_random_int(seed, most);
+        unsigned up = (unsigned)random_int(seed, most);
         mpz_mul_2exp(s->p->c[k], s->p->c[k], up);
         if (k <= s->radius->n) mpz_mul_2exp(s->radius->c[k], s->radius->c[k], up);
     }
@@ -182,29 +182,29 @@ static void spread_sizes(uint64_t *seed, set *s) {
 
 /* p = product of (q t - a) with few bits, or random; radii of 0, of a few bits, or of as many as p has. */
 static void make_set(uint64_t *seed, set *s) {
-    int n = 1 + exact_random_int(seed, 8), bits = 60, simple = exact_random_int(seed, 3);
+    int n = 1 + random_int(seed, 8), bits = 60, simple = random_int(seed, 3);
     exact_zpoly_constant(s->p, 1);
     if (simple) {
         for (int i = 0; i < n; i++) {
             s->member->n = 1;
-            mpz_set_si(s->member->c[0], exact_random_int(seed, 41) - 20);
-            mpz_set_si(s->member->c[1], 1 + exact_random_int(seed, simple == 1 ? 1 : 9));
+            mpz_set_si(s->member->c[0], random_int(seed, 41) - 20);
+            mpz_set_si(s->member->c[1], 1 + random_int(seed, simple == 1 ? 1 : 9));
             exact_zpoly_multiply(s->p, s->p, s->member);
         }
         for (int k = 0; k <= n; k++) mpz_mul_2exp(s->p->c[k], s->p->c[k], 40);
     } else {
-        exact_random_zpoly(seed, s->p, n, bits);
+        random_zpoly(seed, s->p, n, bits);
     }
-    s->radius->n = n - (exact_random_int(seed, 4) == 0);
-    int size = 1 + exact_random_int(seed, 60), none = exact_random_int(seed, 5) == 0;
+    s->radius->n = n - (random_int(seed, 4) == 0);
+    int size = 1 + random_int(seed, 60), none = random_int(seed, 5) == 0;
     for (int k = 0; k <= s->radius->n; k++) {
-        exact_random_mpz(seed, s->radius->c[k], size);
+        random_mpz(seed, s->radius->c[k], size);
         mpz_abs(s->radius->c[k], s->radius->c[k]);
-        if (none || exact_random_int(seed, 4) == 0) mpz_set_ui(s->radius->c[k], 0);
+        if (none || random_int(seed, 4) == 0) mpz_set_ui(s->radius->c[k], 0);
     }
-    if (exact_random_int(seed, 3) == 0) mpz_fdiv_q_2exp(s->p->c[0], s->radius->c[0], 1);
-    if (exact_random_int(seed, 4) == 0) mpz_set(s->p->c[s->radius->n], s->radius->c[s->radius->n]);
-    if (exact_random_int(seed, 4) == 0) spread_sizes(seed, s);
+    if (random_int(seed, 3) == 0) mpz_fdiv_q_2exp(s->p->c[0], s->radius->c[0], 1);
+    if (random_int(seed, 4) == 0) mpz_set(s->p->c[s->radius->n], s->radius->c[s->radius->n]);
+    if (random_int(seed, 4) == 0) spread_sizes(seed, s);
     exact_zpoly_trim(s->p);
 }
 
@@ -226,26 +226,26 @@ TEST(test_sets) {
 /* p' has two roots, and the radius of c_0 hides all between them, or nearly so: members with one root and
  * with three.  Or a line from a small root to a large one that a little t^2 bends back, or not. */
 static void make_bent(uint64_t *seed, set *s) {
-    long a = exact_random_int(seed, 2001) - 1000, b = a + 1 + exact_random_int(seed, 500);
-    int line = exact_random_int(seed, 3) == 0;
+    long a = random_int(seed, 2001) - 1000, b = a + 1 + random_int(seed, 500);
+    int line = random_int(seed, 3) == 0;
     s->p->n = s->radius->n = line ? 2 : 3;
     for (int k = 0; k <= 3; k++) mpz_set_ui(s->p->c[k], 0), mpz_set_ui(s->radius->c[k], 0);
     if (line) { /* -(2^2w - c) + 2^w t + e t^2, 0 <= c < 2^w or so, |e| about 1/4 */
-        unsigned w = 4 + (unsigned)exact_random_int(seed, 30);
+        unsigned w = 4 + (unsigned)random_int(seed, 30);
         mpz_setbit(s->p->c[0], 2 * w), mpz_neg(s->p->c[0], s->p->c[0]);
         mpz_setbit(s->radius->c[0], 2 * w), mpz_sub_ui(s->radius->c[0], s->radius->c[0], 3);
         mpz_setbit(s->p->c[1], w);
-        mpz_set_si(s->radius->c[2], 1 + exact_random_int(seed, 16));
+        mpz_set_si(s->radius->c[2], 1 + random_int(seed, 16));
         for (int k = 0; k < 2; k++)
             mpz_mul_2exp(s->p->c[k], s->p->c[k], 6), mpz_mul_2exp(s->radius->c[k], s->radius->c[k], 6);
     } else { /* p' = 6 (t - a)(t - b) */
         mpz_set_si(s->p->c[3], 2), mpz_set_si(s->p->c[2], -3 * (a + b)), mpz_set_si(s->p->c[1], 6 * a * b);
-        mpz_set_si(s->p->c[0], (a + b) * (a * a + b * b - 4 * a * b) / 2 + exact_random_int(seed, 21) - 10);
+        mpz_set_si(s->p->c[0], (a + b) * (a * a + b * b - 4 * a * b) / 2 + random_int(seed, 21) - 10);
         long bend = (b - a) * (b - a) * (b - a) / 2; /* p is so much above 0 at a, and below at b */
-        mpz_set_si(s->radius->c[0], bend / 8 * (7 + exact_random_int(seed, 4)) + exact_random_int(seed, 9));
-        if (exact_random_int(seed, 2)) mpz_set_si(s->radius->c[exact_random_int(seed, 3) + 1], 1);
+        mpz_set_si(s->radius->c[0], bend / 8 * (7 + random_int(seed, 4)) + random_int(seed, 9));
+        if (random_int(seed, 2)) mpz_set_si(s->radius->c[random_int(seed, 3) + 1], 1);
     }
-    if (exact_random_int(seed, 2)) /* -t for t */
+    if (random_int(seed, 2)) /* -t for t */
         for (int k = 1; k <= 3; k += 2) mpz_neg(s->p->c[k], s->p->c[k]);
     s->lo = -HUGE_VAL, s->hi = HUGE_VAL;
 }
@@ -270,7 +270,7 @@ TEST(test_tight) {
     int roots = 0;
     for (int i = 0; i < 200; i++) {
         s->round = i;
-        exact_random_zpoly(&seed, s->p, 1 + i % 12, 200);
+        random_zpoly(&seed, s->p, 1 + i % 12, 200);
         exact_zpoly_constant(s->radius, i % 2);
         s->lo = i % 3 ? -1.5 : 0.01, s->hi = 2;
         judge(s, &seed);
@@ -298,7 +298,7 @@ TEST(test_tight) {
 TEST(test_little_memory) {
     uint64_t seed = SEED + 3;
     set *s = set_new();
-    exact_random_zpoly(&seed, s->p, 12, 60);
+    random_zpoly(&seed, s->p, 12, 60);
     exact_zpoly_constant(s->radius, 1);
     s->radius->n = 12;
     for (int k = 0; k <= 12; k += 12) mpz_set_ui(s->p->c[k], 0), mpz_set_ui(s->radius->c[k], 1);
@@ -314,7 +314,7 @@ TEST(test_little_memory) {
 TEST(test_memory) {
     uint64_t seed = SEED + 2;
     set *s = set_new();
-    exact_random_zpoly(&seed, s->p, 9, 300);
+    random_zpoly(&seed, s->p, 9, 300);
     exact_zpoly_constant(s->radius, 1000);
     algsurf_zpoly p = exact_to_zpoly(s->p, 0, 0), radius = exact_to_zpoly(s->radius, 0, 0);
     int done = 0, refused = 0;

@@ -65,40 +65,40 @@ static int judge(const known *k, const exact_zpoly *q, int unit, int refine, int
 }
 
 static void random_rational(uint64_t *seed, mpq_t x) {
-    long denominator = 1 + exact_random_int(seed, 40);
-    mpq_set_si(x, (long)exact_random_int(seed, (int)(4 * denominator)) - 2 * denominator,
+    long denominator = 1 + random_int(seed, 40);
+    mpq_set_si(x, (long)random_int(seed, (int)(4 * denominator)) - 2 * denominator,
                (unsigned long)denominator);
     mpq_canonicalize(x);
 }
 
 static void random_pair(uint64_t *seed, known *k) {
     random_rational(seed, k->x);
-    mpq_set_ui(k->y, 2, 1ul << (2 * exact_random_int(seed, 8)));
+    mpq_set_ui(k->y, 2, 1ul << (2 * random_int(seed, 8)));
     mpq_canonicalize(k->y);
 }
 
 /* q's roots: shared ones (kind 0), near misses (kind 1), anything (kind 2); of degree 1 or 2. */
 static void make_condition(uint64_t *seed, known *q, const known *k, int kind, int degree) {
-    const known_root *r = k->root[exact_random_int(seed, k->count)];
+    const known_root *r = k->root[random_int(seed, k->count)];
     known_clear(q);
     mpq_set(q->x, r->base), mpq_set(q->y, r->radicand);
     if (kind == 2) random_pair(seed, q);
     if (kind == 1) {
-        mpq_set_si(q->z, exact_random(seed) & 1 ? 1 : -1, 1);
-        known_shift(q->z, q->z, -1 - exact_random_int(seed, 120));
+        mpq_set_si(q->z, random_bits(seed) & 1 ? 1 : -1, 1);
+        known_shift(q->z, q->z, -1 - random_int(seed, 120));
         mpq_add(q->x, q->x, q->z);
     }
     if (degree == 1) {
         known_add(q, q->x, 1);
     } else if (mpq_sgn(q->y) != 0) {
-        if (kind == 2 && exact_random_int(seed, 4) == 0) mpq_neg(q->y, q->y); /* negative everywhere */
+        if (kind == 2 && random_int(seed, 4) == 0) mpq_neg(q->y, q->y); /* negative everywhere */
         known_add_pair(q, q->x, q->y, 1);
     } else {
         known_add(q, q->x, 1);
-        if (exact_random_int(seed, 3)) random_rational(seed, q->x);
+        if (random_int(seed, 3)) random_rational(seed, q->x);
         known_add(q, q->x, 1);
     }
-    int negate = degree == 2 || (exact_random(seed) & 1);
+    int negate = degree == 2 || (random_bits(seed) & 1);
     for (int i = 0; i <= q->p->n && negate; i++) mpz_neg(q->p->c[i], q->p->c[i]);
 }
 
@@ -107,18 +107,18 @@ TEST(test_conditions) {
     known *k = known_new(), *q = known_new();
     int shared[3] = {0}, rounds[3] = {0};
     for (int i = 0; i < 6000; i++) {
-        int kind = exact_random_int(&seed, 3);
+        int kind = random_int(&seed, 3);
         known_clear(k);
-        for (int j = 1 + exact_random_int(&seed, 3); j > 0; j--) {
+        for (int j = 1 + random_int(&seed, 3); j > 0; j--) {
             random_pair(&seed, k);
-            int multiplicity = exact_random_int(&seed, 4) ? 1 : 1 + exact_random_int(&seed, 3);
-            if (exact_random(&seed) & 1)
+            int multiplicity = random_int(&seed, 4) ? 1 : 1 + random_int(&seed, 3);
+            if (random_bits(&seed) & 1)
                 known_add_pair(k, k->x, k->y, multiplicity);
             else
                 known_add(k, k->x, multiplicity);
         }
-        make_condition(&seed, q, k, kind, 1 + exact_random_int(&seed, 2));
-        shared[kind] += judge(k, q->p, exact_random_int(&seed, 12) - 6, i % 2, i);
+        make_condition(&seed, q, k, kind, 1 + random_int(&seed, 2));
+        shared[kind] += judge(k, q->p, random_int(&seed, 12) - 6, i % 2, i);
         rounds[kind]++;
     }
     assert_true(shared[0] > 1500 && rounds[1] > 1500 && rounds[2] > 1500);

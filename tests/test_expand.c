@@ -25,13 +25,13 @@ typedef struct random_case {
 /* Dense up to degree 10, or a few terms; coefficients of one size or over 20 orders of magnitude; then X is
  * replaced by X / scale, as if the whole scene were that much larger. */
 static int make_surface(random_case *r, uint64_t *seed, int exponent) {
-    int n = 1 + exact_random_int(seed, 10), dense = exact_random_int(seed, 3) == 0, count = 0;
-    int wide = exact_random_int(seed, 4) == 0 ? 30 : 1;
+    int n = 1 + random_int(seed, 10), dense = random_int(seed, 3) == 0, count = 0;
+    int wide = random_int(seed, 4) == 0 ? 30 : 1;
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= n - i; j++)
             for (int k = 0; k <= n - i - j; k++)
-                if (dense || i + j + k == 0 || exact_random_int(seed, n) == 0) {
-                    double a = exact_random_wide(seed, -wide, wide);
+                if (dense || i + j + k == 0 || random_int(seed, n) == 0) {
+                    double a = random_wide(seed, -wide, wide);
                     if (count < MOST_TERMS)
                         r->terms[count++] = (algsurf_term){i, j, k, ldexp(a, (n - i - j - k) * exponent)};
                 }
@@ -43,15 +43,14 @@ static int make_surface(random_case *r, uint64_t *seed, int exponent) {
 /* A ray towards the surface from `distance`, some components exactly zero, not of unit length. */
 static void make_ray(random_case *r, uint64_t *seed, double distance, int exponent, int length) {
     double d[3];
-    for (int i = 0; i < 3; i++) d[i] = exact_random_int(seed, 5) ? exact_random_unit(seed) : 0;
-    if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[exact_random_int(seed, 3)] = 1;
+    for (int i = 0; i < 3; i++) d[i] = random_int(seed, 5) ? random_unit(seed) : 0;
+    if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[random_int(seed, 3)] = 1;
     for (int i = 0; i < 3; i++) {
-        r->ray.origin[i] =
-            ldexp(exact_random_int(seed, 6) ? exact_random_unit(seed) - distance * d[i] : 0, exponent);
+        r->ray.origin[i] = ldexp(random_int(seed, 6) ? random_unit(seed) - distance * d[i] : 0, exponent);
         r->ray.direction[i] = ldexp(d[i], exponent + length);
     }
-    r->ray.t_min = ldexp(distance - fabs(exact_random_unit(seed)), -length);
-    r->ray.t_max = ldexp(distance + fabs(exact_random_unit(seed)) + 0.01, -length);
+    r->ray.t_min = ldexp(distance - fabs(random_unit(seed)), -length);
+    r->ray.t_max = ldexp(distance + fabs(random_unit(seed)) + 0.01, -length);
 }
 
 static _Noreturn void expand_fail(const char *what, const random_case *r, int round, int k) {
@@ -132,8 +131,8 @@ TEST(test_tiny_components) {
         assert_ok(algsurf_surface_from_terms(r.terms, 3, &r.surface));
         r.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, -0.5, 1};
         for (int k = 0; k < 3; k++) {
-            r.ray.origin[k] = exact_random_int(&seed, 2) ? exact_random_wide(&seed, -1074, -1000) : 0;
-            if (k > 0) r.ray.direction[k] = exact_random_wide(&seed, -1074, -1000);
+            r.ray.origin[k] = random_int(&seed, 2) ? random_wide(&seed, -1074, -1000) : 0;
+            if (k > 0) r.ray.direction[k] = random_wide(&seed, -1074, -1000);
         }
         double c[3], radius[3];
         algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);

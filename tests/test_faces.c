@@ -133,8 +133,8 @@ static void check(const algsurf_extent *x, const algsurf_plane *plane, const dou
 
 /* Ordinary, of full range, small integers. */
 static double number(uint64_t *seed, int of) {
-    if (of == 0) return 3 * exact_random_unit(seed);
-    return of == 1 ? exact_random_wide(seed, -1070, 1020) : exact_random_int(seed, 7) - 3;
+    if (of == 0) return 3 * random_unit(seed);
+    return of == 1 ? random_wide(seed, -1070, 1020) : random_int(seed, 7) - 3;
 }
 
 TEST(test_random) {
@@ -142,19 +142,19 @@ TEST(test_random) {
     int of_degree[4] = {0};
     for (int c = 0; c < 3000; c++) {
         algsurf_extent x = {c & 1 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX, {0}, {0}};
-        int of = c % 3, e = exact_random_int(&seed, of == 1 ? 2001 : 21) - (of == 1 ? 1000 : 10);
+        int of = c % 3, e = random_int(&seed, of == 1 ? 2001 : 21) - (of == 1 ? 1000 : 10);
         double o[3], d[3];
         for (int i = 0; i < 3; i++) {
             o[i] = number(&seed, of), d[i] = number(&seed, of), x.centre[i] = number(&seed, of);
             x.size[i] = fabs(number(&seed, of)) + (of == 2);
-            if (exact_random_int(&seed, 4) == 0) o[i] = 0;
-            if (i > 0 && exact_random_int(&seed, 4) == 0) d[i] = 0;
-            if (exact_random_int(&seed, 4) == 0) x.centre[i] = 0;
+            if (random_int(&seed, 4) == 0) o[i] = 0;
+            if (i > 0 && random_int(&seed, 4) == 0) d[i] = 0;
+            if (random_int(&seed, 4) == 0) x.centre[i] = 0;
         }
         if (d[0] == 0) d[0] = 1;
         algsurf_plane plane = {{number(&seed, of), number(&seed, of), number(&seed, of)}, number(&seed, of)};
         for (int i = 1; i < 3; i++)
-            if (exact_random_int(&seed, 4) == 0) plane.normal[i] = 0;
+            if (random_int(&seed, 4) == 0) plane.normal[i] = 0;
         if (plane.normal[0] == 0) plane.normal[0] = -1;
         check(&x, &plane, o, d, e, of_degree);
     }

@@ -23,10 +23,10 @@ static void begin(operands *o) { mpz_inits(o->za, o->zb, o->z, NULL); }
 static void end(operands *o) { mpz_clears(o->za, o->zb, o->z, NULL); }
 
 static void next(operands *o, uint64_t *seed) {
-    o->wa = 1 + exact_random_int(seed, MOST);
-    o->wb = 1 + exact_random_int(seed, MOST);
-    exact_random_limbs(seed, o->a, o->wa);
-    exact_random_limbs(seed, o->b, o->wb);
+    o->wa = 1 + random_int(seed, MOST);
+    o->wb = 1 + random_int(seed, MOST);
+    random_limbs(seed, o->a, o->wa);
+    random_limbs(seed, o->b, o->wb);
     exact_limbs(o->za, o->a, o->wa);
     exact_limbs(o->zb, o->b, o->wb);
     memcpy(o->old, o->a, sizeof o->a);
@@ -58,7 +58,7 @@ TEST(test_sums) {
         algsurf_z_sub(o.a, same, o.wa), check("sub", i, &o, 0);
         mpz_neg(o.z, o.za);
         algsurf_z_negate(o.a, o.wa), check("negate", i, &o, 0);
-        int64_t small = (int64_t)exact_random(&seed) >> exact_random_int(&seed, 64);
+        int64_t small = (int64_t)random_bits(&seed) >> random_int(&seed, 64);
         mpz_set_si(o.z, small);
         algsurf_z_set(o.a, o.wa, small), check("set", i, &o, (long)small);
         mpz_set(o.z, o.zb);
@@ -102,8 +102,8 @@ TEST(test_shifts) {
     begin(&o);
     for (int i = 0; i < ROUNDS; i++) {
         next(&o, &seed);
-        int bits = exact_random_int(&seed, 64 * o.wa + 130);
-        if (exact_random_int(&seed, 3) == 0) bits &= ~63;
+        int bits = random_int(&seed, 64 * o.wa + 130);
+        if (random_int(&seed, 3) == 0) bits &= ~63;
         mpz_mul_2exp(o.z, o.za, (mp_bitcnt_t)bits);
         algsurf_z_shift_up(o.a, o.wa, bits), check("shift up", i, &o, bits);
         memcpy(o.a, o.old, sizeof o.a);
@@ -123,9 +123,9 @@ TEST(test_products) {
     for (int i = 0; i < ROUNDS; i++) {
         next(&o, &seed);
         algsurf_limb limb, factor[MOST];
-        exact_random_limbs(&seed, &limb, 1);
+        random_limbs(&seed, &limb, 1);
         mpz_import(f, 1, -1, 8, 0, 0, &limb);
-        int at = exact_random_int(&seed, o.wa + 2);
+        int at = random_int(&seed, o.wa + 2);
         beyond += at + o.wb > o.wa;
         mpz_mul_2exp(o.z, o.zb, (mp_bitcnt_t)(64 * at)), mpz_mul(o.z, o.z, f), mpz_add(o.z, o.z, o.za);
         algsurf_z_add_product(o.a, o.wa, o.b, o.wb, limb, at), check("add product", i, &o, at);
@@ -134,9 +134,9 @@ TEST(test_products) {
         mpz_mul(o.z, o.za, f);
         algsurf_z_multiply(o.a, o.wa, limb), check("multiply", i, &o, (long)limb);
         memcpy(o.a, o.old, sizeof o.a);
-        int wf = 1 + exact_random_int(&seed, MOST), negate = exact_random_int(&seed, 2);
+        int wf = 1 + random_int(&seed, MOST), negate = random_int(&seed, 2);
         algsurf_limb x[MOST];
-        exact_random_limbs(&seed, x, wf);
+        random_limbs(&seed, x, wf);
         algsurf_z_factor g = algsurf_z_factor_of(x, wf, factor);
         exact_limbs(f, x, wf);
         int bits = mpz_sgn(f) ? (int)mpz_sizeinbase(f, 2) : 0;
@@ -158,10 +158,10 @@ TEST(test_division) {
     int count = 0;
     for (int i = 0; i < 3 * ROUNDS; i++) {
         algsurf_limb U[MOST + 1], V[MOST], Q[MOST + 1], room[MOST + 1], old[MOST + 1];
-        int nu = 1 + exact_random_int(&seed, MOST), nv = 1 + exact_random_int(&seed, nu);
-        exact_random_limbs(&seed, U, nu), exact_random_limbs(&seed, V, nv);
+        int nu = 1 + random_int(&seed, MOST), nv = 1 + random_int(&seed, nu);
+        random_limbs(&seed, U, nu), random_limbs(&seed, V, nv);
         if (V[nv - 1] == 0) continue;
-        if (exact_random_int(&seed, 4) == 0) /* leading limbs alike: the largest trial quotients */
+        if (random_int(&seed, 4) == 0) /* leading limbs alike: the largest trial quotients */
             for (int k = 0; k < nv; k++) U[nu - 1 - k] = V[nv - 1 - k];
         U[nu] = 0;
         memcpy(old, U, sizeof U);
@@ -186,7 +186,7 @@ TEST(test_limbs) {
     uint64_t seed = SEED + 5;
     for (int i = 0; i < ROUNDS; i++) {
         algsurf_limb x[4], r, high, back;
-        exact_random_limbs(&seed, x, 4);
+        random_limbs(&seed, x, 4);
         algsurf_limb d = x[0] | (algsurf_limb)1 << 63, q;
         if (x[1] >= d) x[1] -= d;
         q = algsurf_limb_divide(x[1], x[2], d, algsurf_limb_inverse(d), &r);
@@ -203,17 +203,17 @@ TEST(test_limbs) {
 /* ---- doubles ---- */
 
 static double random_double(uint64_t *seed) {
-    switch (exact_random_int(seed, 8)) {
+    switch (random_int(seed, 8)) {
     case 0:
         return 0;
     case 1:
-        return exact_random_int(seed, 2) ? DBL_MAX : -DBL_MAX;
+        return random_int(seed, 2) ? DBL_MAX : -DBL_MAX;
     case 2:
-        return ldexp(exact_random_unit(seed), -1060); /* subnormal */
+        return ldexp(random_unit(seed), -1060); /* subnormal */
     case 3:
-        return ldexp(exact_random_int(seed, 2) ? 1 : -1, exact_random_int(seed, 2098) - 1074);
+        return ldexp(random_int(seed, 2) ? 1 : -1, random_int(seed, 2098) - 1074);
     default:
-        return exact_random_wide(seed, -1000, 1000);
+        return random_wide(seed, -1000, 1000);
     }
 }
 
@@ -227,9 +227,9 @@ TEST(test_doubles_into_integers) {
         int e;
         algsurf_limb m = algsurf_z_odd_part(x, &e);
         assert_true(m == 0 ? x == 0 && e == 0 : m & 1 && ldexp((double)m, e) == fabs(x));
-        int shift = exact_random_int(&seed, 300) - e, w = 1 + exact_random_int(&seed, 40);
+        int shift = random_int(&seed, 300) - e, w = 1 + random_int(&seed, 40);
         algsurf_limb r[40], old[40];
-        exact_random_limbs(&seed, r, w);
+        random_limbs(&seed, r, w);
         memcpy(old, r, sizeof r);
         algsurf_z_add_double(r, w, x, shift);
         mpz_set_d(z, m == 0 ? 0 : x < 0 ? -(double)m : (double)m);
@@ -287,8 +287,8 @@ TEST(test_integers_into_doubles) {
             if (!(fabs(d) >= 0.5 && fabs(d) <= 1) || mpq_cmp(error, bound) > 0) failed("to_double", i, &o, e);
         }
         static const int centre[] = {0, 1024, -1074, -1022};
-        int place = centre[exact_random_int(&seed, 4)] - bits + exact_random_int(&seed, 140) - 70;
-        if (exact_random_int(&seed, 50) == 0) place = exact_random_int(&seed, 2) ? 5000 : -5000;
+        int place = centre[random_int(&seed, 4)] - bits + random_int(&seed, 140) - 70;
+        if (random_int(&seed, 50) == 0) place = random_int(&seed, 2) ? 5000 : -5000;
         scaled(q, o.za, place);
         double low = floor_double(q), high, found[2];
         mpq_neg(q, q), high = -floor_double(q);

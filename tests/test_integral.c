@@ -50,14 +50,14 @@ static void print(const char *name, const algsurf_zpoly *p) {
 static algsurf_zpoly random_poly(uint64_t *seed, algsurf_memory *m, int degree, int width) {
     algsurf_zpoly p;
     assert_true(algsurf_zpoly_new(m, degree, width, &p));
-    int kind = exact_random_int(seed, 4);
+    int kind = random_int(seed, 4);
     for (int k = 0; k <= degree; k++) {
         algsurf_limb *a = algsurf_zpoly_at(&p, k);
-        do exact_random_limbs(seed, a, width);
+        do random_limbs(seed, a, width);
         while (k == degree && algsurf_z_sign(a, width) == 0);
         if (kind == 0) memset(a, 0xff, (size_t)width * sizeof *a), a[width - 1] >>= 1;
         if (kind == 1) algsurf_z_zero(a, width), a[width - 1] = (algsurf_limb)1 << 63;
-        if (kind == 2 && k < degree) algsurf_z_shift_down(a, width, exact_random_int(seed, 64 * width));
+        if (kind == 2 && k < degree) algsurf_z_shift_down(a, width, random_int(seed, 64 * width));
     }
     return p;
 }
@@ -82,7 +82,7 @@ static void check_value(uint64_t *seed, room *m, const algsurf_zpoly *p, const a
     mpz_t z, x;
     mpq_t q, error;
     mpz_inits(z, x, NULL), mpq_inits(q, error, NULL);
-    int sign = 7, exponent = 0, want = exact_random_int(seed, 4);
+    int sign = 7, exponent = 0, want = random_int(seed, 4);
     double value = 0;
     uint64_t *before = m->m.at;
     exact_limbs(x, N, w), exact_value(z, p, x, r);
@@ -115,15 +115,13 @@ TEST(test_values) {
     room m;
     for (int i = 0; i < 12000; i++) {
         room_begin(&m);
-        int degree = exact_random_int(&seed, i % 20 ? 12 : 65),
-            w = 1 + (exact_random_int(&seed, 3) ? 0 : exact_random_int(&seed, 4));
-        algsurf_zpoly p = random_poly(&seed, &m.m, degree, 1 + exact_random_int(&seed, 8));
+        int degree = random_int(&seed, i % 20 ? 12 : 65),
+            w = 1 + (random_int(&seed, 3) ? 0 : random_int(&seed, 4));
+        algsurf_zpoly p = random_poly(&seed, &m.m, degree, 1 + random_int(&seed, 8));
         algsurf_limb N[4];
-        exact_random_limbs(&seed, N, w);
-        int r = exact_random_int(&seed, 5) ? exact_random_int(&seed, 140) - 10
-                                           : exact_random_int(&seed, 1500) - 300;
-        if (exact_random_int(&seed, 4) == 0)
-            algsurf_z_shift_down(N, w, 64 * w - 1 - exact_random_int(&seed, 20));
+        random_limbs(&seed, N, w);
+        int r = random_int(&seed, 5) ? random_int(&seed, 140) - 10 : random_int(&seed, 1500) - 300;
+        if (random_int(&seed, 4) == 0) algsurf_z_shift_down(N, w, 64 * w - 1 - random_int(&seed, 20));
         check_value(&seed, &m, &p, N, w, r, count);
         room_empty(&m);
     }
@@ -140,11 +138,11 @@ TEST(test_values_at_roots) {
     mpz_inits(M, c, old, NULL);
     for (int i = 0; i < 3000; i++) {
         room_begin(&m);
-        int high = i % 5 == 0, s = high ? 52 : exact_random_int(&seed, 60),
-            n = exact_random_int(&seed, high ? 200 : 10), more = high ? 0 : exact_random_int(&seed, 70);
-        algsurf_zpoly p, g = random_poly(&seed, &m.m, n, high ? 4 : 1 + exact_random_int(&seed, 4));
-        int64_t root = (int64_t)exact_random(&seed) >> (4 + exact_random_int(&seed, 59));
-        if (high) root = ((int64_t)1 << 52) + (root >> exact_random_int(&seed, 40)) % ((int64_t)1 << 51);
+        int high = i % 5 == 0, s = high ? 52 : random_int(&seed, 60), n = random_int(&seed, high ? 200 : 10),
+            more = high ? 0 : random_int(&seed, 70);
+        algsurf_zpoly p, g = random_poly(&seed, &m.m, n, high ? 4 : 1 + random_int(&seed, 4));
+        int64_t root = (int64_t)random_bits(&seed) >> (4 + random_int(&seed, 59));
+        if (high) root = ((int64_t)1 << 52) + (root >> random_int(&seed, 40)) % ((int64_t)1 << 51);
         assert_true(algsurf_zpoly_new(&m.m, n + 1, g.width + 2, &p));
         mpz_set_si(M, root), mpz_set_ui(old, 0);
         for (int k = 0; k <= n + 1; k++) { /* 2^s g_(k-1) - M g_k */
@@ -154,7 +152,7 @@ TEST(test_values_at_roots) {
             if (k <= n) mpz_set(old, c);
         }
         if (high) {
-            mpz_set_si(old, (int64_t)exact_random(&seed)), mpz_mul_2exp(old, old, (mp_bitcnt_t)(i % 100));
+            mpz_set_si(old, (int64_t)random_bits(&seed)), mpz_mul_2exp(old, old, (mp_bitcnt_t)(i % 100));
             get(c, &p, 0), mpz_add(c, c, old), put(&p, 0, c);
         }
         algsurf_limb N[3];
@@ -234,14 +232,14 @@ TEST(test_bernstein) {
     room m;
     for (int i = 0; i < 4000; i++) {
         room_begin(&m);
-        int degree = i < 600 ? i % 66 : exact_random_int(&seed, 20);
-        algsurf_zpoly p = random_poly(&seed, &m.m, degree, 1 + exact_random_int(&seed, 8));
-        int64_t at = (int64_t)exact_random(&seed) >> exact_random_int(&seed, 64);
-        int q = exact_random_int(&seed, 4) ? exact_random_int(&seed, 12) : exact_random_int(&seed, 200) - 30;
-        if (exact_random_int(&seed, 3) == 0) at = exact_random_int(&seed, 33) - 16, q = 4;
-        if (exact_random_int(&seed, 30) == 0) at = INT64_MIN;
-        if (exact_random_int(&seed, 30) == 0) at = INT64_MAX;
-        if (exact_random_int(&seed, 10) == 0) at = 0;
+        int degree = i < 600 ? i % 66 : random_int(&seed, 20);
+        algsurf_zpoly p = random_poly(&seed, &m.m, degree, 1 + random_int(&seed, 8));
+        int64_t at = (int64_t)random_bits(&seed) >> random_int(&seed, 64);
+        int q = random_int(&seed, 4) ? random_int(&seed, 12) : random_int(&seed, 200) - 30;
+        if (random_int(&seed, 3) == 0) at = random_int(&seed, 33) - 16, q = 4;
+        if (random_int(&seed, 30) == 0) at = INT64_MIN;
+        if (random_int(&seed, 30) == 0) at = INT64_MAX;
+        if (random_int(&seed, 10) == 0) at = 0;
         check_bernstein(&m, &p, at, q);
         room_empty(&m);
     }
@@ -293,13 +291,12 @@ TEST(test_primitive) {
     int large = 0, none = 0;
     for (int i = 0; i < 3000; i++) {
         room_begin(&m);
-        algsurf_zpoly p, found,
-            a = random_poly(&seed, &m.m, exact_random_int(&seed, 12), 1 + exact_random_int(&seed, 6));
+        algsurf_zpoly p, found, a = random_poly(&seed, &m.m, random_int(&seed, 12), 1 + random_int(&seed, 6));
         algsurf_limb factor[5];
-        int w = 1 + exact_random_int(&seed, 5);
-        exact_random_limbs(&seed, factor, w);
+        int w = 1 + random_int(&seed, 5);
+        random_limbs(&seed, factor, w);
         exact_limbs(f, factor, w);
-        if (mpz_sgn(f) == 0 || exact_random_int(&seed, 3) == 0) mpz_set_ui(f, 1);
+        if (mpz_sgn(f) == 0 || random_int(&seed, 3) == 0) mpz_set_ui(f, 1);
         assert_true(algsurf_zpoly_new(&m.m, a.degree, a.width + w, &p));
         for (int k = 0; k <= a.degree; k++) get(c, &a, k), mpz_mul(c, c, f), put(&p, k, c);
         content(g, &p);
@@ -327,14 +324,12 @@ TEST(test_divide) {
     int zeros = 0;
     for (int i = 0; i < 4000; i++) {
         room_begin(&m);
-        algsurf_zpoly b, p, q,
-            any = random_poly(&seed, &m.m, exact_random_int(&seed, 8), 1 + exact_random_int(&seed, 4));
-        algsurf_zpoly a =
-            random_poly(&seed, &m.m, exact_random_int(&seed, 12), 1 + exact_random_int(&seed, 4));
-        if (exact_random_int(&seed, 3) == 0)
+        algsurf_zpoly b, p, q, any = random_poly(&seed, &m.m, random_int(&seed, 8), 1 + random_int(&seed, 4));
+        algsurf_zpoly a = random_poly(&seed, &m.m, random_int(&seed, 12), 1 + random_int(&seed, 4));
+        if (random_int(&seed, 3) == 0)
             algsurf_z_set(algsurf_zpoly_at(&any, any.degree), any.width, i & 1 ? 1 : -1);
-        if (exact_random_int(&seed, 10) == 0) algsurf_z_zero(any.c, any.width);
-        if (exact_random_int(&seed, 10) == 0) algsurf_z_zero(a.c, a.width);
+        if (random_int(&seed, 10) == 0) algsurf_z_zero(any.c, any.width);
+        if (random_int(&seed, 10) == 0) algsurf_z_zero(a.c, a.width);
         if (algsurf_z_sign(algsurf_zpoly_at(&any, any.degree), any.width) == 0)
             algsurf_z_set(any.c, any.width, 1);
         assert_true(algsurf_zpoly_primitive(&m.m, &any, &b));
@@ -349,8 +344,8 @@ TEST(test_divide) {
             room_empty(&m);
             continue;
         }
-        algsurf_limb *c = algsurf_zpoly_at(&p, exact_random_int(&seed, p.degree)), one[1] = {1};
-        algsurf_z_add_product(c, p.width, one, 1, 1, exact_random_int(&seed, p.width - 1));
+        algsurf_limb *c = algsurf_zpoly_at(&p, random_int(&seed, p.degree)), one[1] = {1};
+        algsurf_z_add_product(c, p.width, one, 1, 1, random_int(&seed, p.width - 1));
         uint64_t *before = m.m.at;
         assert_true(algsurf_zpoly_divide(&m.m, &p, &b, &divides, &q));
         mpz_t lowest;
@@ -377,16 +372,14 @@ TEST(test_small_things) {
     mpz_inits(x, y, NULL);
     for (int i = 0; i < 3000; i++) {
         room_begin(&m);
-        algsurf_zpoly d, q,
-            p = random_poly(&seed, &m.m, exact_random_int(&seed, 12), 1 + exact_random_int(&seed, 6));
+        algsurf_zpoly d, q, p = random_poly(&seed, &m.m, random_int(&seed, 12), 1 + random_int(&seed, 6));
         assert_true(algsurf_zpoly_derivative(&m.m, &p, &d));
         assert_int_equal(d.degree, p.degree - 1);
         for (int k = 1; k <= p.degree; k++) {
             get(x, &p, k), mpz_mul_ui(x, x, (unsigned long)k), get(y, &d, k - 1);
             assert_int_equal(mpz_cmp(x, y), 0);
         }
-        int shift = exact_random_int(&seed, 150), top = exact_random_int(&seed, 3), bits = 0,
-            zeros = ALGSURF_Z_NO_BIT;
+        int shift = random_int(&seed, 150), top = random_int(&seed, 3), bits = 0, zeros = ALGSURF_Z_NO_BIT;
         assert_true(algsurf_zpoly_new(&m.m, p.degree + top, p.width + 3, &q));
         for (int k = 0; k <= p.degree; k++) {
             algsurf_limb *a = algsurf_zpoly_at(&p, k);

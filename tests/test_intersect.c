@@ -339,8 +339,8 @@ TEST(test_chmutov) {
     assert_true(intersect_terms(&c, terms, count));
     uint64_t seed = 3;
     for (int i = 0; i < 150; i++) {
-        double x = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20),
-               y = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20);
+        double x = ldexp(floor(ldexp(random_unit(&seed), 20)), -20),
+               y = ldexp(floor(ldexp(random_unit(&seed), 20)), -20);
         set_ray(x, y, -4, 0.125 * y, 0.0625 * x, 1, 2.5, 5.5);
         intersect_judge(&c, NULL, &answer);
         for (int k = 0; k < answer.count; k++) {

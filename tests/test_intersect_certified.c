@@ -18,18 +18,18 @@ static intersect_case c;
 static intersect_answer answer;
 
 static double short_number(uint64_t *seed, int bits) {
-    return ldexp(floor(ldexp(exact_random_unit(seed), bits)), -bits);
+    return ldexp(floor(ldexp(random_unit(seed), bits)), -bits);
 }
 
 static void ray_in_plane(uint64_t *seed, int bits) {
-    double eye = exact_random_int(seed, 2) ? 4 : 0;
+    double eye = random_int(seed, 2) ? 4 : 0;
     for (int i = 0; i < 2; i++) c.ray.direction[i] = short_number(seed, bits);
     if (c.ray.direction[0] == 0) c.ray.direction[0] = 1;
     for (int i = 0; i < 2; i++) c.ray.origin[i] = short_number(seed, bits) - eye * c.ray.direction[i];
-    c.ray.origin[2] = ldexp(1, -10 - exact_random_int(seed, 76));
+    c.ray.origin[2] = ldexp(1, -10 - random_int(seed, 76));
     c.ray.direction[2] = 0;
-    c.ray.t_min = exact_random_int(seed, 3) ? 0 : -1;
-    c.ray.t_max = exact_random_int(seed, 3) ? eye + 4 : exact_random_int(seed, 2) ? 1e4 : INFINITY;
+    c.ray.t_min = random_int(seed, 3) ? 0 : -1;
+    c.ray.t_max = random_int(seed, 3) ? eye + 4 : random_int(seed, 2) ? 1e4 : INFINITY;
 }
 
 TEST(hairs_apart) {
@@ -141,8 +141,8 @@ TEST(random_rays) {
         int count = 3 + i % 6;
         for (int k = 0; k < count; k++) {
             int e[3] = {0, 0, 0};
-            for (int total = exact_random_int(&seed, 7); total > 0; total--) e[exact_random_int(&seed, 3)]++;
-            terms[k] = (algsurf_term){e[0], e[1], e[2], exact_random_int(&seed, 9) - 4};
+            for (int total = random_int(&seed, 7); total > 0; total--) e[random_int(&seed, 3)]++;
+            terms[k] = (algsurf_term){e[0], e[1], e[2], random_int(&seed, 9) - 4};
         }
         if (!intersect_terms(&c, terms, count) || c.degree < 1) {
             algsurf_surface_free(c.surface);

@@ -42,7 +42,7 @@ TEST(test_real_space) {
         for (int i = 0; i < 300; i++) {
             const double eye[3] = {6, 5, 4};
             double target[3];
-            for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
+            for (int k = 0; k < 3; k++) target[k] = 2 * random_unit(&seed);
             algsurf_ray ray = ray_towards(eye, target);
             algsurf_hit real, complex = hit_of(s, &ray, &space);
             assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
@@ -81,9 +81,9 @@ TEST(test_complex_sphere) {
     int seen = 0, lost = 0;
     for (int i = 0; i < 2000; i++) {
         const double eye[3] = {2, 1.5, -1}, m = i % 2 ? 0.3 : -0.8,
-                     delta = 0.02 + 0.2 * fabs(exact_random_unit(&seed));
+                     delta = 0.02 + 0.2 * fabs(random_unit(&seed));
         double target[3];
-        for (int k = 0; k < 3; k++) target[k] = exact_random_unit(&seed);
+        for (int k = 0; k < 3; k++) target[k] = random_unit(&seed);
         algsurf_ray ray = ray_towards(eye, target);
         algsurf_complex_space space = space_of(0, delta);
         space.imaginary = &m, space.imaginary_count = 1;
@@ -114,8 +114,8 @@ TEST(test_normal) {
         const double eye[3] = {6, 5, 4}, h = 1e-5;
         double target[3], turn[3], along = 0;
         for (int k = 0; k < 3; k++) {
-            target[k] = 2 * exact_random_unit(&seed);
-            turn[k] = exact_random_unit(&seed);
+            target[k] = 2 * random_unit(&seed);
+            turn[k] = random_unit(&seed);
         }
         algsurf_ray ray = ray_towards(eye, target), left = ray, right = ray;
         for (int k = 0; k < 3; k++) along += turn[k] * ray.direction[k];
@@ -152,7 +152,7 @@ TEST(test_start_values) {
     space.imaginary = (const double[]){1}, space.imaginary_count = 1;
     for (int i = 0; i < 500; i++) {
         double target[3];
-        for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
+        for (int k = 0; k < 3; k++) target[k] = 2 * random_unit(&seed);
         algsurf_ray ray = ray_towards(eye, target);
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL));
         for (int k = 0; k < 4; k++) roots[k].re *= 1.01, roots[k].im *= 0.97;

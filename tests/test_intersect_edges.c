@@ -73,7 +73,7 @@ static int sign_at(const edge_case *e, const mpq_t t) {
     return sign;
 }
 
-static double short_number(uint64_t *seed) { return ldexp(floor(64 * exact_random_unit(seed)), -4); }
+static double short_number(uint64_t *seed) { return ldexp(floor(64 * random_unit(seed)), -4); }
 
 /* A ray, and planes that it meets at positive t. */
 static int make_planes(edge_case *e, uint64_t *seed) {
@@ -81,17 +81,17 @@ static int make_planes(edge_case *e, uint64_t *seed) {
     int k[PLANES], m[PLANES];
     mpq_t q;
     for (int i = 0; i < 3; i++) {
-        e->c.ray.origin[i] = exact_random_int(seed, 2) ? short_number(seed) : 4 * exact_random_unit(seed);
-        e->c.ray.direction[i] = exact_random_int(seed, 5) ? exact_random_unit(seed) : 0;
-        e->extent.centre[i] = exact_random_int(seed, 2) ? 0 : short_number(seed);
+        e->c.ray.origin[i] = random_int(seed, 2) ? short_number(seed) : 4 * random_unit(seed);
+        e->c.ray.direction[i] = random_int(seed, 5) ? random_unit(seed) : 0;
+        e->extent.centre[i] = random_int(seed, 2) ? 0 : short_number(seed);
     }
     if (e->c.ray.direction[0] == 0) e->c.ray.direction[0] = 0.75;
-    if (exact_random_int(seed, 4) == 0) /* from far away */
+    if (random_int(seed, 4) == 0) /* from far away */
         for (int i = 0; i < 3; i++) e->c.ray.origin[i] -= 1e6 * e->c.ray.direction[i];
     e->c.ray.t_min = 0, e->c.ray.t_max = INFINITY;
     mpq_init(q);
     for (int i = 0; i < PLANES; i++) {
-        k[i] = 1 + exact_random_int(seed, 9), m[i] = exact_random_int(seed, 40) - 20;
+        k[i] = 1 + random_int(seed, 9), m[i] = random_int(seed, 40) - 20;
         mpq_set_si(e->root[i], m[i], (unsigned long)k[i]);
         mpq_canonicalize(e->root[i]);
         exact_set(q, e->c.ray.origin[0]);
@@ -108,21 +108,21 @@ static int make_planes(edge_case *e, uint64_t *seed) {
 }
 
 static double some_ulps_from(double x, uint64_t *seed) {
-    for (int step = exact_random_int(seed, 5) - 2; step != 0; step += step > 0 ? -1 : 1)
+    for (int step = random_int(seed, 5) - 2; step != 0; step += step > 0 ? -1 : 1)
         x = nextafter(x, step > 0 ? INFINITY : -INFINITY);
     return x;
 }
 
 /* Ends at one of the roots. */
 static int make_extent(edge_case *e, uint64_t *seed) {
-    int box = exact_random_int(seed, 2), axis = box ? exact_random_int(seed, 3) : -1;
+    int box = random_int(seed, 2), axis = box ? random_int(seed, 3) : -1;
     mpq_t square;
     mpq_init(square);
-    squared(square, e, e->root[exact_random_int(seed, PLANES)], axis);
+    squared(square, e, e->root[random_int(seed, PLANES)], axis);
     double size = some_ulps_from(sqrt(mpq_get_d(square)), seed);
     mpq_clear(square);
     e->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
-    for (int i = 0; i < 3; i++) e->extent.size[i] = box ? 1 + 60 * fabs(exact_random_unit(seed)) : 0;
+    for (int i = 0; i < 3; i++) e->extent.size[i] = box ? 1 + 60 * fabs(random_unit(seed)) : 0;
     e->extent.size[box ? axis : 0] = size;
     for (int i = 0; i < PLANES; i++) e->sign[i] = sign_at(e, e->root[i]);
     return size > 0;
@@ -185,24 +185,23 @@ TEST(largest_extents) {
     for (int i = 0; i < 2000; i++) {
         static intersect_case c;
         intersect_answer a;
-        int box = exact_random_int(&seed, 2), axis = exact_random_int(&seed, 3), exponents[3] = {0};
-        double size =
-            DBL_MAX * (1 - (exact_random_int(&seed, 3) ? 0 : 0x1p-40 * fabs(exact_random_unit(&seed))));
+        int box = random_int(&seed, 2), axis = random_int(&seed, 3), exponents[3] = {0};
+        double size = DBL_MAX * (1 - (random_int(&seed, 3) ? 0 : 0x1p-40 * fabs(random_unit(&seed))));
         algsurf_extent extent = {box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE, {0}, {size, size, size}};
-        double length = 0, large = exact_random_int(&seed, 3) ? 0 : 0x1p1021;
+        double length = 0, large = random_int(&seed, 3) ? 0 : 0x1p1021;
         for (int k = 0; k < 3; k++) {
-            c.ray.origin[k] = (large > 0 ? large : 1) * exact_random_unit(&seed);
-            c.ray.direction[k] = exact_random_unit(&seed);
-            extent.centre[k] = large * exact_random_unit(&seed);
+            c.ray.origin[k] = (large > 0 ? large : 1) * random_unit(&seed);
+            c.ray.direction[k] = random_unit(&seed);
+            extent.centre[k] = large * random_unit(&seed);
             length = box ? fmax(length, fabs(c.ray.direction[k])) : hypot(length, c.ray.direction[k]);
         }
         double sign = c.ray.direction[axis] < 0 ? -1 : 1, share = fabs(c.ray.direction[axis]) / length;
-        double at = 1 + 0x1p-52 * (exact_random_int(&seed, 5) - 2);
-        if (large > 0) at = exact_random_unit(&seed);
+        double at = 1 + 0x1p-52 * (random_int(&seed, 5) - 2);
+        if (large > 0) at = random_unit(&seed);
         exponents[axis] = 1;
         const algsurf_term terms[] = {{exponents[0], exponents[1], exponents[2], 1},
                                       {0, 0, 0, -sign * fmin(share * at, 1) * DBL_MAX}};
-        c.ray.t_min = exact_random_int(&seed, 2) ? 0 : -INFINITY, c.ray.t_max = INFINITY;
+        c.ray.t_min = random_int(&seed, 2) ? 0 : -INFINITY, c.ray.t_max = INFINITY;
         assert_true(intersect_terms(&c, terms, 2));
         intersect_judge_in(&c, &extent, NULL, &a);
         hits += a.count > 0, misses += a.count == 0;

@@ -31,7 +31,7 @@ enum { EQUATIONS = sizeof equations / sizeof equations[0] };
 /* From a distance of about 1, with directions of length about 2^length. */
 static void random_ray(uint64_t *seed, int length) {
     for (int i = 0; i < 3; i++) {
-        double target = exact_random_unit(seed), d = exact_random_unit(seed);
+        double target = random_unit(seed), d = random_unit(seed);
         c.ray.origin[i] = target - d;
         c.ray.direction[i] = ldexp(d, length);
     }

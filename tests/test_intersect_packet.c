@@ -208,10 +208,10 @@ static double size_of(const algsurf_extent *e) { return e->size[0]; }
 static algsurf_ray ray_from(uint64_t *seed, const algsurf_extent *e, double distance) {
     algsurf_ray ray = {.t_min = 0, .t_max = INFINITY};
     double size = size_of(e), eye[3], length = 0;
-    for (int k = 0; k < 3; k++) eye[k] = exact_random_unit(seed), length += eye[k] * eye[k];
+    for (int k = 0; k < 3; k++) eye[k] = random_unit(seed), length += eye[k] * eye[k];
     for (int k = 0; k < 3; k++) {
         ray.origin[k] = e->centre[k] + distance * size * eye[k] / sqrt(length);
-        ray.direction[k] = e->centre[k] + 0.7 * size * exact_random_unit(seed) - ray.origin[k];
+        ray.direction[k] = e->centre[k] + 0.7 * size * random_unit(seed) - ray.origin[k];
     }
     return ray;
 }
@@ -228,7 +228,7 @@ static int find_hit(uint64_t *seed, const algsurf_extent *e, double distance, al
 static algsurf_ray tangent_at(uint64_t *seed, const algsurf_hit *hit, double distance, double back) {
     algsurf_ray ray = {.t_min = back - 1, .t_max = back + 3};
     double a[3];
-    for (int k = 0; k < 3; k++) a[k] = exact_random_unit(seed);
+    for (int k = 0; k < 3; k++) a[k] = random_unit(seed);
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
         ray.direction[k] = a[i] * hit->normal[j] - a[j] * hit->normal[i];
@@ -239,37 +239,37 @@ static algsurf_ray tangent_at(uint64_t *seed, const algsurf_hit *hit, double dis
 
 static algsurf_ray make_ray(uint64_t *seed, const algsurf_extent *e, enum kind kind) {
     algsurf_ray ray = ray_from(seed, e,
-                               kind == INSIDE  ? 0.5 * fabs(exact_random_unit(seed))
-                               : kind == FAR   ? pow(10, 1 + exact_random_int(seed, 6))
+                               kind == INSIDE  ? 0.5 * fabs(random_unit(seed))
+                               : kind == FAR   ? pow(10, 1 + random_int(seed, 6))
                                : kind == PARTS ? 1.5
                                                : 4);
     algsurf_hit hit;
     if (kind == LENGTHS) {
-        int k = exact_random_int(seed, 81) - 40;
+        int k = random_int(seed, 81) - 40;
         for (int i = 0; i < 3; i++) ray.direction[i] = ldexp(ray.direction[i], k);
     } else if (kind == AXIS) {
-        int axis = exact_random_int(seed, 3);
+        int axis = random_int(seed, 3);
         for (int i = 0; i < 3; i++) {
             if (i != axis) ray.origin[i] += ray.direction[i];
-            if (i != axis) ray.direction[i] = exact_random_int(seed, 2) ? 0 : -0.0;
+            if (i != axis) ray.direction[i] = random_int(seed, 2) ? 0 : -0.0;
         }
     } else if (kind == ON_SURFACE && find_hit(seed, e, 4, &ray, &hit)) {
         for (int i = 0; i < 3; i++) {
-            ray.origin[i] = hit.position[i] + (exact_random_int(seed, 2) ? 1e-9 * hit.normal[i] : 0);
-            ray.direction[i] = exact_random_unit(seed);
+            ray.origin[i] = hit.position[i] + (random_int(seed, 2) ? 1e-9 * hit.normal[i] : 0);
+            ray.direction[i] = random_unit(seed);
         }
-    } else if (kind == ENDS && find_hit(seed, e, exact_random_int(seed, 2) ? 4 : 1e6, &ray, &hit)) {
-        double t = nextafter(hit.t, exact_random_unit(seed));
-        if (exact_random_int(seed, 2))
-            ray.t_max = exact_random_int(seed, 2) ? t : hit.t;
+    } else if (kind == ENDS && find_hit(seed, e, random_int(seed, 2) ? 4 : 1e6, &ray, &hit)) {
+        double t = nextafter(hit.t, random_unit(seed));
+        if (random_int(seed, 2))
+            ray.t_max = random_int(seed, 2) ? t : hit.t;
         else
-            ray.t_min = exact_random_int(seed, 2) ? t : hit.t;
+            ray.t_min = random_int(seed, 2) ? t : hit.t;
     } else if (kind == PARTS) {
-        ray.t_min = exact_random_unit(seed) * 2;
-        ray.t_max = exact_random_int(seed, 9) ? ray.t_min + exact_random_unit(seed) : ray.t_min;
+        ray.t_min = random_unit(seed) * 2;
+        ray.t_max = random_int(seed, 9) ? ray.t_min + random_unit(seed) : ray.t_min;
     } else if (kind == GRAZING && find_hit(seed, e, 4, &ray, &hit)) {
-        double side = exact_random_int(seed, 2) ? 1 : -1, back = exact_random_int(seed, 2) ? 1 : 1e6;
-        double distance = ldexp(size_of(e), -exact_random_int(seed, back > 1 ? 45 : 60));
+        double side = random_int(seed, 2) ? 1 : -1, back = random_int(seed, 2) ? 1 : 1e6;
+        double distance = ldexp(size_of(e), -random_int(seed, back > 1 ? 45 : 60));
         ray = tangent_at(seed, &hit, side * distance, back);
     }
     return ray;
@@ -345,7 +345,7 @@ TEST(test_cancellation) {
 static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const algsurf_hit *hit, int k) {
     algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0, 0, 0}};
     double a[3], along = 0, square = 0, size = 0;
-    for (int i = 0; i < 3; i++) a[i] = exact_random_unit(seed);
+    for (int i = 0; i < 3; i++) a[i] = random_unit(seed);
     for (int i = 0; i < 3; i++) {
         along += a[i] * ray->direction[i];
         square += ray->direction[i] * ray->direction[i];
@@ -369,9 +369,9 @@ TEST(test_hits_on_the_extent) {
     for (int round = 0; round < 1500; round++) {
         algsurf_ray ray;
         algsurf_hit hit;
-        int axis = exact_random_int(&seed, 3), box = round % 2;
+        int axis = random_int(&seed, 3), box = round % 2;
         if (!find_hit(&seed, &entry->extent, round % 3 ? 2 : 1e5, &ray, &hit)) continue;
-        algsurf_extent e = ball_through(&seed, &ray, &hit, exact_random_int(&seed, 30));
+        algsurf_extent e = ball_through(&seed, &ray, &hit, random_int(&seed, 30));
         if (box) {
             e = (algsurf_extent){ALGSURF_EXTENT_BOX, {0.1, -0.2, 0.3}, {4, 4, 4}};
             e.size[axis] = fabs(hit.position[axis] - e.centre[axis]);
@@ -458,14 +458,14 @@ TEST(test_exact) {
         surface = c.surface;
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = {.t_min = 0};
-            double eye = exact_random_int(&seed, 3) ? 4 : 0;
+            double eye = random_int(&seed, 3) ? 4 : 0;
             for (int k = 0; k < 3; k++) {
-                ray.direction[k] = exact_random_int(&seed, 8) ? exact_random_unit(&seed) : 0;
-                ray.origin[k] = exact_random_unit(&seed) - eye * ray.direction[k];
+                ray.direction[k] = random_int(&seed, 8) ? random_unit(&seed) : 0;
+                ray.origin[k] = random_unit(&seed) - eye * ray.direction[k];
             }
             if (ray.direction[0] == 0 && ray.direction[1] == 0) ray.direction[2] = 1;
-            ray.t_min = exact_random_int(&seed, 3) ? 0 : -1;
-            ray.t_max = exact_random_int(&seed, 8) ? eye + 4 : 1e4;
+            ray.t_min = random_int(&seed, 3) ? 0 : -1;
+            ray.t_max = random_int(&seed, 8) ? eye + 4 : 1e4;
             put_ray(&p, i, &ray);
         }
         assert_ok(ask(&p, 0, MOST, NULL, NULL));
@@ -490,7 +490,7 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
             for (int k = 0; i + j + k <= n; k++) {
                 double ways =
                     lgamma(n + 1) - lgamma(i + 1) - lgamma(j + 1) - lgamma(k + 1) - lgamma(n - i - j - k + 1);
-                terms[count++] = (algsurf_term){i, j, k, exact_random_unit(seed) * exp(0.5 * ways)};
+                terms[count++] = (algsurf_term){i, j, k, random_unit(seed) * exp(0.5 * ways)};
             }
     algsurf_surface *s;
     assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
@@ -565,7 +565,7 @@ static void fill(uint64_t *seed, const algsurf_extent *extent) {
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = make_ray(seed, extent, i % 5 ? OUTSIDE : GRAZING);
         put_ray(&p, i, &ray);
-        p.active[i] = exact_random_int(seed, 3) ? (unsigned char)(1 + exact_random_int(seed, 255)) : 0;
+        p.active[i] = random_int(seed, 3) ? (unsigned char)(1 + random_int(seed, 255)) : 0;
     }
 }
 
@@ -875,7 +875,7 @@ TEST(test_scales) {
         for (int round = 0; round < 4; round++) {
             for (int i = 0; i < MOST; i++) {
                 algsurf_ray ray = ray_from(&seed, &ball, 4);
-                int length = round == 3 ? exact_random_int(&seed, 1200) - 600 : 0;
+                int length = round == 3 ? random_int(&seed, 1200) - 600 : 0;
                 for (int j = 0; j < 3; j++) ray.direction[j] = ldexp(ray.direction[j], length);
                 put_ray(&p, i, &ray);
             }

@@ -14,19 +14,19 @@ static intersect_answer answer;
 
 /* Numbers of at most `bits` bits. */
 static double short_number(uint64_t *seed, int bits) {
-    return ldexp(floor(ldexp(exact_random_unit(seed), bits)), -bits);
+    return ldexp(floor(ldexp(random_unit(seed), bits)), -bits);
 }
 
 static void random_ray(uint64_t *seed, int bits) {
-    double eye = exact_random_int(seed, 4) ? 4 : 0;
+    double eye = random_int(seed, 4) ? 4 : 0;
     for (int i = 0; i < 3; i++) {
-        c.ray.direction[i] = exact_random_int(seed, 8) ? short_number(seed, bits) : 0;
+        c.ray.direction[i] = random_int(seed, 8) ? short_number(seed, bits) : 0;
         c.ray.origin[i] = short_number(seed, bits);
     }
     if (c.ray.direction[0] == 0 && c.ray.direction[1] == 0) c.ray.direction[2] = 1;
     for (int i = 0; i < 3; i++) c.ray.origin[i] -= eye * c.ray.direction[i];
-    c.ray.t_min = exact_random_int(seed, 3) ? 0 : -1;
-    c.ray.t_max = exact_random_int(seed, 3) ? eye + 4 : 1e4;
+    c.ray.t_min = random_int(seed, 3) ? 0 : -1;
+    c.ray.t_max = random_int(seed, 3) ? eye + 4 : 1e4;
 }
 
 /* Is the polynomial along the ray zero? */
@@ -43,7 +43,7 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
     for (int i = 0; i < rounds; i++) {
         if (i % 4 == 0) {
             algsurf_surface_free(c.surface);
-            if (!intersect_random(&c, &seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
+            if (!intersect_random(&c, &seed, 2 + random_int(&seed, most_degree - 1), small)) {
                 c.surface = NULL;
                 i += 3;
                 continue;

@@ -23,9 +23,7 @@ typedef struct touch {
 } touch;
 
 /* A number of few bits, so that texts are exact. */
-static double quarter(uint64_t *seed, int most) {
-    return 0.25 * (exact_random_int(seed, 8 * most + 1) - 4 * most);
-}
+static double quarter(uint64_t *seed, int most) { return 0.25 * (random_int(seed, 8 * most + 1) - 4 * most); }
 
 static void judge(touch *e, int round) {
     intersect_answer a;
@@ -43,7 +41,7 @@ static void judge(touch *e, int round) {
 static void aim(touch *e, uint64_t *seed, const double inside[3]) {
     double *d = e->c.ray.direction, longest = 0;
     for (int i = 0; i < 3; i++) {
-        d[i] = exact_random_unit(seed);
+        d[i] = random_unit(seed);
         longest = fmax(longest, fabs(d[i]));
     }
     for (int i = 0; i < 3; i++) e->c.ray.origin[i] = inside[i] - 60 / longest * d[i];
@@ -71,10 +69,10 @@ TEST(test_sphere) {
         char text[MOST_TEXT];
         double inside[3], height = quarter(&seed, 4), *c = e.extent.centre;
         int clear;
-        e.extent.size[0] = 0.25 * (1 + exact_random_int(&seed, 40));
+        e.extent.size[0] = 0.25 * (1 + random_int(&seed, 40));
         for (int i = 0; i < 3; i++) {
             c[i] = quarter(&seed, 5);
-            inside[i] = c[i] + e.extent.size[0] * 0.5 * exact_random_unit(&seed);
+            inside[i] = c[i] + e.extent.size[0] * 0.5 * random_unit(&seed);
         }
         aim(&e, &seed, inside);
         e.wanted = 2 + plane_in_sphere(&e, height, &clear);
@@ -99,11 +97,11 @@ TEST(test_box) {
         double inside[3], *c = e.extent.centre, *h = e.extent.size;
         for (int i = 0; i < 3; i++) {
             c[i] = quarter(&seed, 5);
-            h[i] = 0.25 * (1 + exact_random_int(&seed, 40));
-            inside[i] = c[i] + h[i] * 0.5 * exact_random_unit(&seed);
+            h[i] = 0.25 * (1 + random_int(&seed, 40));
+            inside[i] = c[i] + h[i] * 0.5 * random_unit(&seed);
         }
         aim(&e, &seed, inside);
-        double face = exact_random_int(&seed, 2) ? c[0] + h[0] : c[0] - h[0];
+        double face = random_int(&seed, 2) ? c[0] + h[0] : c[0] - h[0];
         double t = (face - e.c.ray.origin[0]) / e.c.ray.direction[0];
         e.wanted = t > 0;
         for (int i = 1; i < 3; i++) {

@@ -34,16 +34,14 @@ static algsurf_interval arg_of(double re0, double re1, double im0, double im1) {
 /* ---- points ---- */
 
 static void case_point(uint64_t *seed, int kind, double *re, double *im) {
-    *re = exact_random_wide(seed, -2, 2), *im = exact_random_wide(seed, -2, 2);
+    *re = random_wide(seed, -2, 2), *im = random_wide(seed, -2, 2);
     if (kind == 1) *re = case_double(seed), *im = case_double(seed);
-    if (kind == 2)
-        *im = ldexp(*im, -exact_random_int(seed, 70)); /* about the limits of the small arctangent */
-    if (kind == 3)
-        *im = ldexp(*re, -50 - exact_random_int(seed, 10)) * (1 + 0x1p-52 * exact_random_int(seed, 9));
-    if (kind == 4) *re = *im * (1 + 0x1p-50 * exact_random_unit(seed)); /* near a diagonal */
-    if (kind == 5) *re = *im * (exact_random_int(seed, 17) / 16.0);     /* on the table */
-    if (kind == 6) *re = *im * ((0.5 + exact_random_int(seed, 16)) / 16.0) * (1 + 0x1p-52); /* between */
-    if (kind == 7) *im = ldexp(*im, -exact_random_int(seed, 1074));
+    if (kind == 2) *im = ldexp(*im, -random_int(seed, 70)); /* about the limits of the small arctangent */
+    if (kind == 3) *im = ldexp(*re, -50 - random_int(seed, 10)) * (1 + 0x1p-52 * random_int(seed, 9));
+    if (kind == 4) *re = *im * (1 + 0x1p-50 * random_unit(seed));                     /* near a diagonal */
+    if (kind == 5) *re = *im * (random_int(seed, 17) / 16.0);                         /* on the table */
+    if (kind == 6) *re = *im * ((0.5 + random_int(seed, 16)) / 16.0) * (1 + 0x1p-52); /* between */
+    if (kind == 7) *im = ldexp(*im, -random_int(seed, 1074));
     if (*re == 0 && *im == 0) *re = 1;
 }
 
@@ -105,9 +103,9 @@ TEST(test_hard_points) {
     mpf_t y;
     mpf_init(y);
     for (int i = 0; i < 4000; i++) {
-        double n, d, table = atan((1 + i % 16) / 16.0), t = fabs(exact_random_unit(&seed));
-        if (i % 4 == 1) t = ldexp(t, -exact_random_int(&seed, 60));
-        if (i % 4 >= 2) t = table * (1 + ldexp(t - 0.5, -exact_random_int(&seed, 40)));
+        double n, d, table = atan((1 + i % 16) / 16.0), t = fabs(random_unit(&seed));
+        if (i % 4 == 1) t = ldexp(t, -random_int(&seed, 60));
+        if (i % 4 >= 2) t = table * (1 + ldexp(t - 0.5, -random_int(&seed, 40)));
         if (!(t > 0 && t < 0.78)) continue;
         hard_point(t, &n, &d);
         algsurf_interval r = arg_of(d, d, n, n);
@@ -171,9 +169,9 @@ TEST(test_rectangles) {
     for (int i = 0; i < 8000; i++) {
         int wild = i % 2;
         algsurf_interval x =
-            wild ? case_interval(&seed) : case_sorted(exact_random_unit(&seed), exact_random_unit(&seed));
+            wild ? case_interval(&seed) : case_sorted(random_unit(&seed), random_unit(&seed));
         algsurf_interval z =
-            wild ? case_interval(&seed) : case_sorted(exact_random_unit(&seed), exact_random_unit(&seed));
+            wild ? case_interval(&seed) : case_sorted(random_unit(&seed), random_unit(&seed));
         algsurf_interval r = {7, 7};
         int zero = x.lo <= 0 && x.hi >= 0 && z.lo <= 0 && z.hi >= 0;
         assert_int_equal(algsurf_cinterval_arg((algsurf_cinterval){x, z}, &r),

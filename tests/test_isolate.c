@@ -22,14 +22,14 @@ typedef struct family {
 
 static void random_coefficients(uint64_t *seed, const family *f, double *c, int n) {
     for (int k = 0; k <= n; k++)
-        c[k] = f->low < f->high ? exact_random_wide(seed, f->low, f->high) : exact_random_int(seed, 7) - 3;
+        c[k] = f->low < f->high ? random_wide(seed, f->low, f->high) : random_int(seed, 7) - 3;
     if (c[n] == 0) c[n] = 1;
 }
 
 static void random_interval(uint64_t *seed, double *lo, double *hi) {
-    double a = exact_random_unit(seed) * 3, b = exact_random_unit(seed) * 3;
+    double a = random_unit(seed) * 3, b = random_unit(seed) * 3;
     *lo = fmin(a, b), *hi = fmax(a, b);
-    switch (exact_random_int(seed, 9)) {
+    switch (random_int(seed, 9)) {
     case 0:
         *hi = INFINITY;
         break;
@@ -63,7 +63,7 @@ static void judge_family(const family *f) {
     uint64_t seed = SEED;
     double c[21], lo, hi;
     for (int i = 0; i < f->rounds; i++) {
-        int n = 1 + exact_random_int(&seed, f->most_degree);
+        int n = 1 + random_int(&seed, f->most_degree);
         random_coefficients(&seed, f, c, n);
         random_interval(&seed, &lo, &hi);
         isolate_judge(c, n, lo, hi, &answer);
@@ -92,11 +92,10 @@ static const algsurf_bracket *entry_at(double x) {
 TEST(test_known_roots) {
     uint64_t seed = SEED;
     for (int i = 0; i < 1200; i++) {
-        int multiplicity[17] = {0}, n = 0, most = 1 + exact_random_int(&seed, 12);
+        int multiplicity[17] = {0}, n = 0, most = 1 + random_int(&seed, 12);
         double c[20] = {1}, lo = i % 3 ? -2.5 : -INFINITY, hi = i % 5 ? 2.25 : INFINITY;
         while (n < most) {
-            int at = exact_random_int(&seed, 17),
-                m = exact_random_int(&seed, 3) ? 1 : 1 + exact_random_int(&seed, 4);
+            int at = random_int(&seed, 17), m = random_int(&seed, 3) ? 1 : 1 + random_int(&seed, 4);
             for (int k = 0; k < m && n < 12 && multiplicity[at] < 4; k++, multiplicity[at]++)
                 n = isolate_times_root(c, n, at - 8, 4);
         }
@@ -164,20 +163,20 @@ TEST(test_plus_minus_powers) {
 TEST(test_powers) {
     uint64_t seed = SEED;
     for (int i = 0; i < 4000; i++) {
-        int m = exact_random_int(&seed, 3), k = 1 + exact_random_int(&seed, 5), n = 0;
-        int most = exact_random_int(&seed, 6), scale = i % 4 ? 0 : (exact_random_int(&seed, 9) - 4) * 6;
+        int m = random_int(&seed, 3), k = 1 + random_int(&seed, 5), n = 0;
+        int most = random_int(&seed, 6), scale = i % 4 ? 0 : (random_int(&seed, 9) - 4) * 6;
         double q[8] = {1}, c[48] = {0}, lo, hi;
         while (n < most) {
-            int root = i % 5 ? exact_random_int(&seed, 33) - 16 : exact_random_int(&seed, 2) ? 4 : 16;
-            int again = exact_random_int(&seed, 4) ? 1 : 2;
+            int root = i % 5 ? random_int(&seed, 33) - 16 : random_int(&seed, 2) ? 4 : 16;
+            int again = random_int(&seed, 4) ? 1 : 2;
             for (; again > 0 && n < 7; again--) n = isolate_times_root(q, n, root, 1 + i % 3);
         }
         if (i % 7 == 0) q[0] += 0x1p-20; /* roots that are no doubles, close pairs, pairs that are no more */
         if (i % 11 == 0)
-            for (int j = 0; j <= n; j++) q[j] = exact_random_wide(&seed, -3, 3);
+            for (int j = 0; j <= n; j++) q[j] = random_wide(&seed, -3, 3);
         for (int j = 0; j <= n; j++) c[m + j * k] = ldexp(q[j], -(m + j * k) * scale);
         random_interval(&seed, &lo, &hi);
-        if (i % 3 == 0) lo = ldexp(exact_random_int(&seed, 9) - 4, scale), hi = lo + ldexp(2.5, scale);
+        if (i % 3 == 0) lo = ldexp(random_int(&seed, 9) - 4, scale), hi = lo + ldexp(2.5, scale);
         if (i % 6 == 1) lo = -INFINITY, hi = INFINITY;
         isolate_judge(c, m + n * k, lo, hi, &answer);
     }
@@ -188,9 +187,9 @@ TEST(test_powers) {
 TEST(test_low_terms) {
     uint64_t seed = SEED;
     for (int i = 0; i < 800; i++) {
-        int low = 1 + exact_random_int(&seed, 3), n = low + 2 + exact_random_int(&seed, 12);
+        int low = 1 + random_int(&seed, 3), n = low + 2 + random_int(&seed, 12);
         double c[20] = {0};
-        for (int k = 0; k <= low; k++) c[k] = exact_random_int(&seed, 41) - 20;
+        for (int k = 0; k <= low; k++) c[k] = random_int(&seed, 41) - 20;
         c[n] = i % 2 ? 1 : -1;
         if (i % 4 == 0) c[0] = n - 1, c[1] = -n, c[2] = c[3] = 0, c[n] = 1; /* (t - 1)^2 divides it */
         if (i % 4 == 1) c[0] = -2, c[1] = 4.0 * (1 + i % 9), c[2] = -c[1] * c[1] / 8, c[3] = 0;
@@ -203,12 +202,11 @@ TEST(test_discriminants) {
     uint64_t seed = SEED;
     for (int i = 0; i < 3000; i++) {
         int n = 0, far = i % 3 == 0 ? 250 : 20;
-        double c[4] = {1}, root = exact_random_int(&seed, 2001) - 1000;
+        double c[4] = {1}, root = random_int(&seed, 2001) - 1000;
         n = isolate_times_root(c, n, root, 64);
         n = isolate_times_root(c, n, root + (i % 4 == 0), 64);
-        if (i % 2) n = isolate_times_root(c, n, exact_random_int(&seed, 201) - 100, 64);
-        int at = exact_random_int(&seed, n + 1), by = exact_random_int(&seed, 9) - 4,
-            e = exact_random_int(&seed, far);
+        if (i % 2) n = isolate_times_root(c, n, random_int(&seed, 201) - 100, 64);
+        int at = random_int(&seed, n + 1), by = random_int(&seed, 9) - 4, e = random_int(&seed, far);
         c[at] *= 1 + by * 0x1p-52;
         for (int k = 0; k <= n; k++) c[k] = ldexp(c[k], i % 5 == 0 ? -k * e : e);
         isolate_judge(c, n, -INFINITY, INFINITY, &answer);
@@ -221,7 +219,7 @@ TEST(test_many_terms) {
     for (int i = 0; i < 24; i++) {
         int n = 61 + i;
         double c[85] = {0}, lo = -INFINITY, hi = INFINITY;
-        for (int k = 0; k <= n; k++) c[k] = ldexp(exact_random_int(&seed, 2) ? 1 : -1, -k * (i % 3));
+        for (int k = 0; k <= n; k++) c[k] = ldexp(random_int(&seed, 2) ? 1 : -1, -k * (i % 3));
         if (i % 4 == 1) lo = 0.5, hi = 1.5;
         if (i % 4 == 3) lo = -1.75;
         isolate_judge(c, n, lo, hi, &answer);
@@ -324,11 +322,11 @@ TEST(test_quadratics) {
     int two = 0, none = 0;
     for (int i = 0; i < 60000; i++) {
         int n = 1 + (i % 8 > 0), wide = i % 3 == 0 ? 300 : 2, k = 0;
-        double c[3], lo = exact_random_wide(&seed, -wide, wide), hi = exact_random_wide(&seed, -wide, wide);
-        for (int j = 0; j <= n; j++) c[j] = exact_random_wide(&seed, -wide, wide);
+        double c[3], lo = random_wide(&seed, -wide, wide), hi = random_wide(&seed, -wide, wide);
+        for (int j = 0; j <= n; j++) c[j] = random_wide(&seed, -wide, wide);
         if (i % 4 == 1 && n == 2) { /* about (t - lo)^2, or with a root about an end */
-            c[1] = -2 * lo * c[2], c[0] = c[2] * lo * lo * (1 + (exact_random_int(&seed, 9) - 4) * 0x1p-52);
-            lo -= 1 + exact_random_unit(&seed), hi = lo + 2;
+            c[1] = -2 * lo * c[2], c[0] = c[2] * lo * lo * (1 + (random_int(&seed, 9) - 4) * 0x1p-52);
+            lo -= 1 + random_unit(&seed), hi = lo + 2;
         }
         if (lo > hi) lo = -lo, hi = -hi;
         if (!(lo < hi)) continue;

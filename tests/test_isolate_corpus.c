@@ -155,7 +155,7 @@ TEST(test_bounded_work) {
     isolate_judge(c, 64, -1, 1, &answer);
     isolate_judge(c, 64, 0.25, INFINITY, &answer);
     memset(&answer, 0, sizeof answer);
-    for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = exact_random_unit(&seed);
+    for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = random_unit(&seed);
     assert_ok(algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count));
     for (int i = 0; i < answer.count; i++)
         if (isfinite(answer.b[i].lo))

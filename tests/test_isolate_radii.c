@@ -35,9 +35,9 @@ static exact_sturm member(uint64_t *seed, const double *c, const double *r, int 
     for (int k = 0; k < 2 * n + 2; k++) mpz_init(integer[k]);
     (void)exact_integers(integer, both, 2 * n + 1);
     for (int k = 0; k <= n; k++) {
-        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--)
+        for (int e = random_int(seed, 5) - 2; e > 0; e--)
             mpz_add(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
-        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--)
+        for (int e = random_int(seed, 5) - 2; e > 0; e--)
             mpz_sub(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
         mpz_swap(integer[k], integer[2 * k]);
     }
@@ -93,13 +93,13 @@ TEST(test_boxes) {
     int decided = 0, rounds = 1200, undecided = 0;
     for (int i = 0; i < rounds; i++) {
         double c[21], r[21], ends[4] = {-1.5, 2, -INFINITY, INFINITY};
-        int n = 1 + exact_random_int(&seed, 12), bits = 1 + exact_random_int(&seed, 50);
+        int n = 1 + random_int(&seed, 12), bits = 1 + random_int(&seed, 50);
         for (int k = 0; k <= n; k++) {
-            c[k] = exact_random_wide(&seed, -3, 3);
-            r[k] = exact_random_int(&seed, 3) ? ldexp(fabs(exact_random_unit(&seed)), -bits) : 0.0;
+            c[k] = random_wide(&seed, -3, 3);
+            r[k] = random_int(&seed, 3) ? ldexp(fabs(random_unit(&seed)), -bits) : 0.0;
         }
         c[n] = 1;
-        double lo = ends[2 * exact_random_int(&seed, 2)], hi = ends[1 + 2 * exact_random_int(&seed, 2)];
+        double lo = ends[2 * random_int(&seed, 2)], hi = ends[1 + 2 * random_int(&seed, 2)];
         judge_box(&seed, c, r, n, lo, hi);
         decided += answer.status == ALGSURF_OK;
         undecided += answer.status != ALGSURF_OK && bits < 10;
@@ -230,12 +230,12 @@ TEST(test_root_on_either_side) {
     judge_box(&seed, cube, narrow, 3, -1, 1);
     assert_true(answer.status > 0);
     for (int i = 0; i < 400; i++) { /* (x - root) times a polynomial without roots near it */
-        double c[9], r[9], root = i % 2 ? 0 : ldexp(i % 4 ? 1 : -1, exact_random_int(&seed, 9) - 4);
-        int n = 1 + exact_random_int(&seed, 7), bits = 12 + exact_random_int(&seed, 40);
+        double c[9], r[9], root = i % 2 ? 0 : ldexp(i % 4 ? 1 : -1, random_int(&seed, 9) - 4);
+        int n = 1 + random_int(&seed, 7), bits = 12 + random_int(&seed, 40);
         c[0] = 1, c[n] = 0;
-        for (int k = 1; k < n; k++) c[k] = ldexp(exact_random_unit(&seed), -6 * k - 3);
+        for (int k = 1; k < n; k++) c[k] = ldexp(random_unit(&seed), -6 * k - 3);
         for (int k = n; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - root * (k < n ? c[k] : 0);
-        for (int k = 0; k <= n; k++) r[k] = ldexp(fabs(exact_random_unit(&seed)), -bits - 8 * k);
+        for (int k = 0; k <= n; k++) r[k] = ldexp(fabs(random_unit(&seed)), -bits - 8 * k);
         judge_box(&seed, c, r, n, root - 2, root + 2);
         if (answer.status != ALGSURF_OK || answer.count != 1 ||
             !(answer.b[0].lo < root && root < answer.b[0].hi))
@@ -335,7 +335,7 @@ static void judge_high(uint64_t *seed, const double *c, const double *r, int n, 
     assert_true(answer.status >= 0);
     if (time > most * plain) fail_msg("degree %d: %g s, without radii %g s", n, time, plain);
     for (int i = 0; i < 6; i++) {
-        for (int k = 0; k <= n; k++) member[k] = c[k] + (exact_random_int(seed, 3) - 1) * r[k];
+        for (int k = 0; k <= n; k++) member[k] = c[k] + (random_int(seed, 3) - 1) * r[k];
         const char *wrong = judge_member(member, n);
         if (wrong) fail_msg("degree %d, member %d, seed %u: %s", n, i, SEED, wrong);
     }
@@ -345,8 +345,7 @@ TEST(test_high_degrees) {
     uint64_t seed = SEED;
     static double c[513], r[513], before[513];
     for (int i = 0; i < 4; i++) {
-        for (int k = 0; k <= 512; k++)
-            c[k] = exact_random_int(&seed, 2) ? 1 : -1, r[k] = ldexp(1, -8 - 11 * i);
+        for (int k = 0; k <= 512; k++) c[k] = random_int(&seed, 2) ? 1 : -1, r[k] = ldexp(1, -8 - 11 * i);
         judge_high(&seed, c, r, 512, 100);
         int sure = 0;
         for (int k = 0; k < answer.count; k++) sure += answer.b[k].kind == ALGSURF_BRACKET_ISOLATED;
@@ -383,9 +382,9 @@ TEST(test_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < 150; i++) {
         double c[21], r[21];
-        int n = 1 + exact_random_int(&seed, 20), tiny = i % 3 == 0, multiple = i % 5 == 0;
+        int n = 1 + random_int(&seed, 20), tiny = i % 3 == 0, multiple = i % 5 == 0;
         for (int k = 0; k <= n; k++) {
-            c[k] = exact_random_wide(&seed, tiny ? -1020 : -4, tiny ? -1000 : 4);
+            c[k] = random_wide(&seed, tiny ? -1020 : -4, tiny ? -1000 : 4);
             r[k] = ldexp(fabs(c[k]), -45);
         }
         if (multiple) n = 4, c[0] = 4, c[1] = 0, c[2] = -4, c[3] = 0, c[4] = 1;

@@ -58,7 +58,7 @@ static void run(const char *name, const algsurf_i_colour_job *job, batch *b, int
 
 static void random_direction(uint64_t *state, double v[3]) {
     do
-        for (int i = 0; i < 3; i++) v[i] = exact_random_unit(state);
+        for (int i = 0; i < 3; i++) v[i] = random_unit(state);
     while (!(algsurf_dot(v, v) > 0.01) || !algsurf_unit(v, v));
 }
 
@@ -68,14 +68,14 @@ static void random_batch(batch *b, const algsurf_i_colour_job *job, uint64_t *st
     for (int e = 0; e < MOST; e++) {
         random_direction(state, b->normal[e]), random_direction(state, b->direction[e]);
         for (int i = 0; i < 3; i++) {
-            b->point[e][i] = (e % 16 == 7 ? 1e13 : 1) * exact_random_unit(state);
+            b->point[e][i] = (e % 16 == 7 ? 1e13 : 1) * random_unit(state);
             if (e % 8 == 3) b->normal[e][i] = 0;
         }
         algsurf_i_set_look(&job->frame, b->point[e], b->normal[e], b->direction[e], e, &looks);
     }
     for (int i = 0; i < MOST * (LIGHTS + 1); i++) {
-        int kind = exact_random_int(state, 3);
-        b->visible[i] = kind < 2 ? kind : fabs(exact_random_unit(state));
+        int kind = random_int(state, 3);
+        b->visible[i] = kind < 2 ? kind : fabs(random_unit(state));
     }
 }
 
@@ -99,14 +99,14 @@ static void random_turn(int number, uint64_t *state, turn *t) {
                                      .material = &t->material,
                                      .lights = t->lights,
                                      .light_count = (size_t)(number % (LIGHTS + 1)),
-                                     .radius = 1 + fabs(exact_random_unit(state)),
+                                     .radius = 1 + fabs(random_unit(state)),
                                      .bounded = number / 3 % 2};
     random_direction(state, t->lighting.up), random_direction(state, t->lighting.forward);
     for (int l = 0; l < LIGHTS; l++) {
         t->lights[l] = (algsurf_light){.samples_u = 1, .samples_v = 1};
         for (int i = 0; i < 3; i++) {
-            t->lights[l].position[i] = 4 * exact_random_unit(state);
-            t->lights[l].colour[i] = fabs(exact_random_unit(state));
+            t->lights[l].position[i] = 4 * random_unit(state);
+            t->lights[l].colour[i] = fabs(random_unit(state));
         }
     }
     algsurf_i_colour_prepare(&t->lighting, t->preview, &t->job);

@@ -71,17 +71,17 @@ static void set_row(stage *s, int y) {
 
 /* Looks past the centre of a ball from a random place outside. */
 static void random_view(stage *s, const double centre[3], double radius, int orthographic, uint64_t *state) {
-    double eye[3], aim[3], up[3], distance = radius * (2 + 6 * fabs(exact_random_unit(state)));
+    double eye[3], aim[3], up[3], distance = radius * (2 + 6 * fabs(random_unit(state)));
     do {
-        for (int i = 0; i < 3; i++) up[i] = exact_random_unit(state), eye[i] = exact_random_unit(state);
+        for (int i = 0; i < 3; i++) up[i] = random_unit(state), eye[i] = random_unit(state);
     } while (!algsurf_unit(eye, eye) || fabs(algsurf_dot(eye, up)) > 0.9 * algsurf_length(up));
     for (int i = 0; i < 3; i++) {
         eye[i] = centre[i] + distance * eye[i];
-        aim[i] = centre[i] + 0.2 * radius * exact_random_unit(state);
+        aim[i] = centre[i] + 0.2 * radius * random_unit(state);
     }
     algsurf_status status =
         orthographic ? algsurf_camera_orthographic(eye, aim, up, 2.2 * radius, &s->camera)
-                     : algsurf_camera_pinhole(eye, aim, up, 40 + 30 * exact_random_unit(state), &s->camera);
+                     : algsurf_camera_pinhole(eye, aim, up, 40 + 30 * random_unit(state), &s->camera);
     assert_ok(status);
     set_view(s, centre, radius);
 }
@@ -204,7 +204,7 @@ TEST(catalogue_hits) {
         for (int turn = 0; turn < 8; turn++) {
             stage s = {.surface = surface_of(e->equation)};
             random_view(&s, e->extent.centre, e->extent.size[0], turn % 2, &random);
-            int y = exact_random_int(&random, HEIGHT);
+            int y = random_int(&random, HEIGHT);
             set_row(&s, y);
             int count = hits_of_row(&s, &e->extent, y, pixel, depth, hits);
             for (int i = 0; i < count; i++) depth[i] += i % 2 ? 0x1p-30 : -0x1p-30;
@@ -233,8 +233,8 @@ static algsurf_surface *random_surface(int degree, int even, uint64_t *state) {
         for (int j = 0; i + j <= degree; j++)
             for (int k = 0; i + j + k <= degree; k++) {
                 if ((i & even) % 2 || (j & even >> 1) % 2 || (k & even >> 2) % 2) continue;
-                if (exact_random_int(state, 3) == 0 || count == 0)
-                    terms[count++] = (algsurf_term){i, j, k, exact_random_unit(state)};
+                if (random_int(state, 3) == 0 || count == 0)
+                    terms[count++] = (algsurf_term){i, j, k, random_unit(state)};
             }
     assert_ok(algsurf_surface_from_terms(terms, count, &s));
     return s;
@@ -246,12 +246,12 @@ TEST(random_surfaces) {
     const double centre[3] = {0.125, -0.25, 0.0625};
     for (int turn = 0; turn < 600; turn++) {
         stage s = {.surface = random_surface(1 + turn % 9, turn % 8, &random)};
-        int pixel[WIDTH], count = exact_random_int(&random, 20);
+        int pixel[WIDTH], count = random_int(&random, 20);
         double depth[WIDTH];
         random_view(&s, centre, ldexp(1.5, s.surface->unit), turn % 3 == 0, &random);
-        set_row(&s, exact_random_int(&random, HEIGHT));
+        set_row(&s, random_int(&random, HEIGHT));
         for (int i = 0; i < count; i++)
-            pixel[i] = exact_random_int(&random, WIDTH), depth[i] = exact_random_unit(&random);
+            pixel[i] = random_int(&random, WIDTH), depth[i] = random_unit(&random);
         assert_in_range(check_row(&s, pixel, depth, count), count, 3 * count);
         algsurf_surface_free(s.surface);
     }
@@ -363,10 +363,10 @@ TEST(same_bits) {
         const catalogue_entry *e = &catalogue[turn];
         stage s = {.surface = surface_of(e->equation)};
         random_view(&s, e->extent.centre, e->extent.size[0], turn % 2, &random);
-        set_row(&s, exact_random_int(&random, HEIGHT));
+        set_row(&s, random_int(&random, HEIGHT));
         memset(&alone, 0xa5, sizeof alone);
         for (int i = 0; i < ENTRIES; i++) {
-            pixel[i] = exact_random_int(&random, WIDTH), depth[i] = i == 5 ? NAN : exact_random_unit(&random);
+            pixel[i] = random_int(&random, WIDTH), depth[i] = i == 5 ? NAN : random_unit(&random);
             run(algsurf_i_kernel_find("baseline"), &s, pixel + i, depth + i, 1, &entry);
             for (int k = 0; k < OUTPUTS; k++) alone.at[k][i] = entry.at[k][0];
         }

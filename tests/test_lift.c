@@ -50,9 +50,9 @@ static void add_image(bench *t) {
 
 /* Reduced, the denominator positive. */
 static void set_numbers(bench *t, int bits, int denominator_bits) {
-    t->count = 1 + exact_random_int(&t->seed, MOST);
-    for (int k = 0; k < t->count; k++) exact_random_mpz(&t->seed, t->number[k], bits);
-    exact_random_mpz(&t->seed, t->x, denominator_bits);
+    t->count = 1 + random_int(&t->seed, MOST);
+    for (int k = 0; k < t->count; k++) random_mpz(&t->seed, t->number[k], bits);
+    random_mpz(&t->seed, t->x, denominator_bits);
     mpz_abs(t->x, t->x);
     mpz_set(t->number[t->count], t->x);
     if (mpz_sgn(t->x) == 0) mpz_set_ui(t->number[t->count], 1);
@@ -86,7 +86,7 @@ TEST(test_fractions) {
     mpz_inits(t.p, t.x, NULL);
     for (int i = 0; i < 1500; i++) {
         static const int most[] = {3, 20, 61, 63, 64, 130, 400, 1500};
-        set_numbers(&t, most[i % 8], i % 3 ? most[i % 8] : 1 + exact_random_int(&t.seed, 40));
+        set_numbers(&t, most[i % 8], i % 3 ? most[i % 8] : 1 + random_int(&t.seed, 40));
         int enough = (int)(largest(&t) + 6 + 30) / 31, found = 0; /* 31 bits of a prime each, less 6 */
         begin(&t);
         for (int k = 1; k <= enough; k++) {

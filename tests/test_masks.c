@@ -40,7 +40,7 @@ static double hits[TIERS][WIDTH * HEIGHT];
 static uint8_t bytes[3 * WIDTH * HEIGHT], is_excused[WIDTH * HEIGHT]; /* of one view, bounded tier */
 
 static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + exact_random_unit(seed));
+    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
 }
 
 static void set_surface(view *v, const char *equation) {
@@ -55,10 +55,10 @@ static void set_surface(view *v, const char *equation) {
 /* From a random side, 1.1 to 8 radii away; the picture is as high as the extent, or as a hundredth of it. */
 static void set_camera(view *v, uint64_t *seed) {
     double eye[3], at[3], length = 0, radius = v->extent.size[0], far = radius * uniform(seed, 1.1, 8);
-    const double up[3] = {exact_random_unit(seed), exact_random_unit(seed), 1};
+    const double up[3] = {random_unit(seed), random_unit(seed), 1};
     for (int i = 0; i < 3; i++) {
-        eye[i] = exact_random_unit(seed);
-        at[i] = v->extent.centre[i] + 0.4 * radius * exact_random_unit(seed);
+        eye[i] = random_unit(seed);
+        at[i] = v->extent.centre[i] + 0.4 * radius * random_unit(seed);
         length += eye[i] * eye[i];
     }
     for (int i = 0; i < 3; i++) eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
@@ -78,7 +78,7 @@ static void draw(const view *v, int tier) {
     assert_ok(algsurf_render(scene, &o, &planes, &stats));
     algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
-    if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
+    if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 4000)) {
         seen.wrong++;
         fprintf(stderr, "%s, view %d, tier %d: %ld pixels undecided\n", v->name, v->number, (int)tiers[tier],
                 (long)stats.undecided);
@@ -147,12 +147,12 @@ static void check_view(view *v, uint64_t *seed) {
     long excused = seen.excused, undecided = seen.undecided, wrong = seen.wrong;
     memset(is_excused, 0, sizeof is_excused);
     set_camera(v, seed);
-    v->row_begin = whole ? 0 : exact_random_int(seed, HEIGHT - ROWS);
+    v->row_begin = whole ? 0 : random_int(seed, HEIGHT - ROWS);
     v->row_end = whole ? HEIGHT : v->row_begin + ROWS;
     for (int tier = 0; tier < TIERS; tier++) draw(v, tier);
     for (int done = 0, tries = 0; done < pixels && seen.wrong < wrong + 3; tries++) {
-        int x = exact_random_int(seed, WIDTH);
-        int row = v->row_begin + exact_random_int(seed, v->row_end - v->row_begin);
+        int x = random_int(seed, WIDTH);
+        int row = v->row_begin + random_int(seed, v->row_end - v->row_begin);
         int outline = is_outline(v, x, row);
         if (done % 2 && !outline && tries < 1000 * pixels) continue;
         check_pixel(v, x, row);

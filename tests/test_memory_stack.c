@@ -31,20 +31,20 @@ TEST(test_pieces_keep_their_words) {
     piece pieces[DEPTH];
     int depth = 0, grown = 0, emptied = 0;
     for (int round = 0; round < 20000; round++) {
-        if (depth < DEPTH && exact_random_int(&seed, 2)) {
+        if (depth < DEPTH && random_int(&seed, 2)) {
             piece *p = pieces + depth++;
-            size_t most = exact_random_int(&seed, 20) ? 100 : 30000;
+            size_t most = random_int(&seed, 20) ? 100 : 30000;
             size_t before = m.allocated;
             p->before = algsurf_memory_here(&m);
-            p->words = (size_t)exact_random_int(&seed, (int)most);
+            p->words = (size_t)random_int(&seed, (int)most);
             p->at = algsurf_memory_take(&m, p->words);
             assert_non_null(p->at);
             assert_int_equal((uintptr_t)p->at % sizeof(uint64_t), 0);
-            p->value = exact_random(&seed);
+            p->value = random_bits(&seed);
             for (size_t i = 0; i < p->words; i++) p->at[i] = p->value + i;
             grown += m.allocated > before;
         } else if (depth > 0) {
-            int keep = depth - 1 - exact_random_int(&seed, depth < 4 ? depth : 4);
+            int keep = depth - 1 - random_int(&seed, depth < 4 ? depth : 4);
             for (int i = keep; i < depth; i++) check_piece(pieces + i, round);
             algsurf_memory_release(&m, pieces[keep].before);
             depth = keep;

@@ -4,6 +4,7 @@
  * Catches: a face that two cells read differently, an ambiguous face that leaves four quads at an edge, a
  * sheet that is joined to another one or split, quads turned to the wrong side. */
 #include "mesh_net.h"
+#include "random.h"
 #include "unit.h"
 
 enum { MOST = 8, POINTS = MOST + 1, LAYER = POINTS * POINTS, QUADS = 3 * POINTS * LAYER };
@@ -11,10 +12,7 @@ static const uint64_t SEED = 20261128;
 
 static uint64_t state;
 
-static unsigned next_random(void) { /* Knuth's linear congruential generator */
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(state >> 33);
-}
+static unsigned next_random(void) { return (unsigned)(random_bits(&state) >> 33); }
 
 typedef struct net {
     mesh_quad quad[QUADS];

@@ -66,7 +66,7 @@ static void failed(const bench *t, const char *what, int round, int i) {
 }
 
 static void judge(bench *t, int round) {
-    algsurf_zpoly p = exact_to_zpoly(t->p, exact_random_int(&t->seed, 2), exact_random_int(&t->seed, 5) == 0);
+    algsurf_zpoly p = exact_to_zpoly(t->p, random_int(&t->seed, 2), random_int(&t->seed, 5) == 0);
     algsurf_zpoly *s = malloc((size_t)(p.degree + 1) * sizeof *s);
     int count;
     algsurf_limb *end = t->stack;
@@ -91,11 +91,11 @@ TEST(test_products) {
     bench *t = open_bench(SEED);
     int squarefree = 0, uniform = 0, mixed = 0;
     for (int i = 0; i < 700; i++) {
-        int bits = most_bits[i % 7], factors = 1 + exact_random_int(&t->seed, 4);
+        int bits = most_bits[i % 7], factors = 1 + random_int(&t->seed, 4);
         begin(t, i % 5 ? 1 : i % 3 ? -360 : 1L << 40);
         for (int j = 0; j < factors; j++) {
-            exact_random_zpoly(&t->seed, t->f, 1 + exact_random_int(&t->seed, 4), bits);
-            join(t, 1 + exact_random_int(&t->seed, i % 4 ? 8 : 2) * (bits < 1000));
+            random_zpoly(&t->seed, t->f, 1 + random_int(&t->seed, 4), bits);
+            join(t, 1 + random_int(&t->seed, i % 4 ? 8 : 2) * (bits < 1000));
         }
         if (t->count == 0) continue;
         int distinct = 1;
@@ -111,8 +111,8 @@ TEST(test_powers) {
     bench *t = open_bench(SEED + 1);
     for (int i = 0; i < 30; i++) {
         begin(t, i % 2 ? 1 : 6);
-        exact_random_zpoly(&t->seed, t->f, 1 + i % 4, 20 + 10 * i);
-        join(t, 2 + exact_random_int(&t->seed, MOST - 2) % (i % 4 == 3 ? 16 : MOST - 2));
+        random_zpoly(&t->seed, t->f, 1 + i % 4, 20 + 10 * i);
+        join(t, 2 + random_int(&t->seed, MOST - 2) % (i % 4 == 3 ? 16 : MOST - 2));
         if (t->count) judge(t, i);
     }
     close_bench(t);
@@ -170,7 +170,7 @@ TEST(test_out_of_memory) {
     int failures = 0, successes = 0, count;
     algsurf_zpoly s[40];
     begin(t, -6);
-    for (int k = 1; k < 4; k++) exact_random_zpoly(&t->seed, t->f, 2, 90), join(t, k);
+    for (int k = 1; k < 4; k++) random_zpoly(&t->seed, t->f, 2, 90), join(t, k);
     algsurf_zpoly p = exact_to_zpoly(t->p, 0, 0);
     for (size_t size = 1; size < 2048; size += 11) {
         algsurf_memory_begin(&t->m, t->stack, size, 0);

@@ -204,8 +204,8 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
 static algsurf_ray ray_about(const double place[3], double radius, double near, uint64_t *random) {
     algsurf_ray ray = {.t_min = 0, .t_max = INFINITY};
     for (int i = 0; i < 3; i++) {
-        double start = place[i] + 8 * radius * exact_random_unit(random);
-        double end = place[i] + near * radius * exact_random_unit(random);
+        double start = place[i] + 8 * radius * random_unit(random);
+        double end = place[i] + near * radius * random_unit(random);
         ray.origin[i] = start, ray.direction[i] = end - start;
     }
     return ray;
@@ -223,8 +223,8 @@ TEST(far_out) {
         const int s = 7 + turn % 11, quartic = turn % 2; /* centres m 2^s, |m| < 128, with few bits */
         double c[3], e[3];
         for (int i = 0; i < 3; i++) {
-            c[i] = ldexp(exact_random_int(&random, 15) - 7, s);
-            e[i] = c[i] + exact_random_int(&random, 5) - 2;
+            c[i] = ldexp(random_int(&random, 15) - 7, s);
+            e[i] = c[i] + random_int(&random, 5) - 2;
         }
         body b = constant(1);
         times_quadric(&b, c, turn % 3 ? round_weights : (const double[3]){1, 2, 4}, 1);
@@ -294,13 +294,13 @@ TEST(near_tips) {
     int seen = 0;
     for (int turn = 0; turn < 300; turn++) {
         double c[3];
-        for (int i = 0; i < 3; i++) c[i] = (exact_random_int(&random, 129) - 64) * 0.125;
+        for (int i = 0; i < 3; i++) c[i] = (random_int(&random, 129) - 64) * 0.125;
         body b = constant(1);
         times_quadric(&b, c, cone_weights, 0);
         finish(&b);
         algsurf_ray ray = ray_about(c, 1, ldexp(1, -turn % 32), &random);
         check_ray(&b, &ray, NULL, "near a tip", &judged);
-        for (int i = 0; i < 3; i++) ray.direction[i] = exact_random_int(&random, 9) - 4;
+        for (int i = 0; i < 3; i++) ray.direction[i] = random_int(&random, 9) - 4;
         for (int i = 0; i < 3; i++) ray.origin[i] = c[i] - 3 * ray.direction[i];
         const double *d = ray.direction;
         long double square = 0, before[3], normal[3];
@@ -324,11 +324,10 @@ TEST(scaled) {
     uint64_t random = seed + 3;
     tally judged = {0};
     for (int turn = 0; turn < 120; turn++) {
-        const int scale = exact_random_int(&random, 665) - 332;
+        const int scale = random_int(&random, 665) - 332;
         const int far = turn % 3 == 0 ? 20 : 2;
         double c[3], unit = ldexp(1, scale), place[3];
-        for (int i = 0; i < 3; i++)
-            c[i] = ldexp(exact_random_int(&random, 15) - 7, far), place[i] = c[i] * unit;
+        for (int i = 0; i < 3; i++) c[i] = ldexp(random_int(&random, 15) - 7, far), place[i] = c[i] * unit;
         body b = constant(1);
         times_quadric(&b, c, round_weights, 1);
         for (int t = 0; t < b.count; t++)

@@ -146,8 +146,8 @@ static int same_with_and_without(const poly *p, int all, algsurf_bracket *b) {
 }
 
 static poly random_poly(uint64_t *seed) {
-    poly p = {.n = 3 + exact_random_int(seed, TOP - 3), .lo = -1, .hi = 1};
-    for (int k = 0; k <= p.n; k++) p.c[k] = exact_random_unit(seed);
+    poly p = {.n = 3 + random_int(seed, TOP - 3), .lo = -1, .hi = 1};
+    for (int k = 0; k <= p.n; k++) p.c[k] = random_unit(seed);
     if (fabs(p.c[0]) < 0x1p-6) p.c[0] = 0.5; /* one piece holds all of it */
     return p;
 }
@@ -181,11 +181,11 @@ TEST(integers_are_told) {
     algsurf_bracket b[TOP];
     for (int round = 0; round < 300; round++) {
         poly p = {.n = 0, .c = {1}, .lo = -4, .hi = 4};
-        double root = ldexp(exact_random_int(&seed, 200) - 100, -6) + 0x1p-9;
+        double root = ldexp(random_int(&seed, 200) - 100, -6) + 0x1p-9;
         times(p.c, &p.n, root);
         times(p.c, &p.n, root + (round % 2 ? 0 : 0x1p-40));
-        for (int i = exact_random_int(&seed, 3); i > 0; i--)
-            times(p.c, &p.n, ldexp(exact_random_int(&seed, 8) - 4, -1) + 0.25);
+        for (int i = random_int(&seed, 3); i > 0; i--)
+            times(p.c, &p.n, ldexp(random_int(&seed, 8) - 4, -1) + 0.25);
         (void)same_with_and_without(&p, 1, b);
         assert_int_equal(told.engine, ALGSURF_ENGINE_INTEGERS);
         for (int i = 0; i < told.cells; i++) {
@@ -351,8 +351,8 @@ TEST(rays_are_watched) {
             how.method = (int)(round % 8 < 4 ? 0 : round % 4);
             s.ray = (algsurf_ray){.t_max = 20};
             for (int k = 0; k < 3; k++) {
-                s.ray.origin[k] = 4 * exact_random_unit(&seed);
-                s.ray.direction[k] = 0.4 * exact_random_unit(&seed) - 0.3 * s.ray.origin[k];
+                s.ray.origin[k] = 4 * random_unit(&seed);
+                s.ray.direction[k] = 0.4 * random_unit(&seed) - 0.3 * s.ray.origin[k];
             }
             decided[watch_ray(&s, how)]++;
             how.tier = ALGSURF_TIER_BOUNDED;

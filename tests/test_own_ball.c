@@ -20,13 +20,13 @@ typedef struct ball {
 } ball;
 
 static ball random_ball(uint64_t *seed) {
-    ball b = {.a = ldexp(1 + exact_random_int(seed, 99), exact_random_int(seed, 40) - 20)};
-    int unit = exact_random_int(seed, 60) - 30;
+    ball b = {.a = ldexp(1 + random_int(seed, 99), random_int(seed, 40) - 20)};
+    int unit = random_int(seed, 60) - 30;
     double square = 0;
-    if (exact_random_int(seed, 2)) b.a = -b.a;
-    b.radius = ldexp(1 + exact_random_int(seed, 999), unit);
+    if (random_int(seed, 2)) b.a = -b.a;
+    b.radius = ldexp(1 + random_int(seed, 999), unit);
     for (int i = 0; i < 3; i++) {
-        b.centre[i] = ldexp(exact_random_int(seed, 2001) - 1000, unit);
+        b.centre[i] = ldexp(random_int(seed, 2001) - 1000, unit);
         square += b.centre[i] * b.centre[i];
         const int e[3] = {i == 0, i == 1, i == 2};
         b.term[i] = (algsurf_term){2 * e[0], 2 * e[1], 2 * e[2], b.a};
@@ -60,7 +60,7 @@ TEST(test_recognised) {
             ALGSURF_EXTENT_SPHERE, {b.centre[0], b.centre[1], b.centre[2]}, {b.radius, 0, 0}};
         if (!is_own(&b, &extent))
             fail_msg("seed %llu, round %d: not recognised", (unsigned long long)SEED, round);
-        int which = exact_random_int(&seed, 7), up = exact_random_int(&seed, 2);
+        int which = random_int(&seed, 7), up = random_int(&seed, 2);
         other.term[which].a = nextafter(b.term[which].a, up ? HUGE_VAL : -HUGE_VAL);
         if (is_own(&other, &extent))
             fail_msg("seed %llu, round %d: term %d, %a for %a, makes no difference", (unsigned long long)SEED,
@@ -113,7 +113,7 @@ TEST(test_shared_origin) {
         for (int i = 0; i < RAYS; i++)
             for (int k = 0; k < 3; k++) {
                 origin[k][i] = k == 0 ? -3.1 : 0.3 * k;
-                direction[k][i] = k == 0 ? 1 : 0.4 * exact_random_unit(&seed);
+                direction[k][i] = k == 0 ? 1 : 0.4 * random_unit(&seed);
             }
         const algsurf_ray_packet rays = {.size = sizeof rays,
                                          .count = RAYS,

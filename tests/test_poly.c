@@ -17,8 +17,8 @@ typedef algsurf_status (*evaluator)(const double *, const double *, int, double,
 
 static void fill(uint64_t *seed, double *c, double *r, int n, int low, int high) {
     for (int i = 0; i <= n; i++) {
-        c[i] = exact_random_int(seed, 8) ? exact_random_wide(seed, low, high) : 0.0;
-        r[i] = exact_random_int(seed, 3) ? fabs(ldexp(c[i], -exact_random_int(seed, 60))) : 0.0;
+        c[i] = random_int(seed, 8) ? random_wide(seed, low, high) : 0.0;
+        r[i] = random_int(seed, 3) ? fabs(ldexp(c[i], -random_int(seed, 60))) : 0.0;
     }
 }
 
@@ -27,7 +27,7 @@ static void corner(uint64_t *seed, mpq_t *q, const double *c, const double *r, i
     mpq_t radius;
     mpq_init(radius);
     for (int i = 0; i <= n; i++) {
-        int up = extreme ? (t >= 0 || i % 2 == 0) : exact_random_int(seed, 2);
+        int up = extreme ? (t >= 0 || i % 2 == 0) : random_int(seed, 2);
         exact_set(q[i], c[i]), exact_set(radius, r[i]);
         if (up)
             mpq_add(q[i], q[i], radius);
@@ -84,9 +84,9 @@ static void evaluate_families(evaluator eval) {
     double c[65], r[65];
     for (size_t f = 0; f < sizeof families / sizeof families[0]; f++)
         for (int i = 0; i < families[f].rounds; i++) {
-            int n = exact_random_int(&seed, families[f].degree + 1);
+            int n = random_int(&seed, families[f].degree + 1);
             fill(&seed, c, r, n, families[f].low, families[f].high);
-            double t = exact_random_wide(&seed, families[f].t_low, families[f].t_high);
+            double t = random_wide(&seed, families[f].t_low, families[f].t_high);
             check_eval(eval, &seed, c, r, n, i % 50 ? t : 0.0, i);
         }
 }
@@ -100,8 +100,8 @@ TEST(test_largest_degree) {
     double c[TOP + 1], r[TOP + 1];
     for (int i = 0; i < 4; i++) {
         fill(&seed, c, r, TOP, -3, 3);
-        check_eval(algsurf_poly_value, &seed, c, r, TOP, exact_random_unit(&seed), i);
-        check_eval(algsurf_poly_value_compensated, &seed, c, r, TOP, exact_random_unit(&seed), i);
+        check_eval(algsurf_poly_value, &seed, c, r, TOP, random_unit(&seed), i);
+        check_eval(algsurf_poly_value_compensated, &seed, c, r, TOP, random_unit(&seed), i);
     }
 }
 
@@ -117,9 +117,9 @@ TEST(test_bounds_are_tight) {
     uint64_t seed = SEED;
     double c[33], r[33], value, bound;
     for (int i = 0; i < 2000; i++) {
-        int n = 1 + exact_random_int(&seed, 32);
+        int n = 1 + random_int(&seed, 32);
         fill(&seed, c, r, n, -4, 4);
-        double t = exact_random_unit(&seed), size = magnitude(c, n, t);
+        double t = random_unit(&seed), size = magnitude(c, n, t);
         assert_ok(algsurf_poly_value(c, NULL, n, t, &value, &bound));
         assert_true(bound <= 2 * n * 0x1p-52 * size + 0x1p-1000);
         assert_ok(algsurf_poly_value_compensated(c, NULL, n, t, &value, &bound));
@@ -174,8 +174,8 @@ TEST(test_amplified_underflow) {
     mpq_init(y);
     for (int i = 0; i < 200; i++) {
         double c[52] = {0}, value, bound;
-        c[51] = fabs(exact_random_wide(&seed, -1022, -1022));
-        double t = fabs(exact_random_wide(&seed, 19, 19)) * 1.01;
+        c[51] = fabs(random_wide(&seed, -1022, -1022));
+        double t = fabs(random_wide(&seed, 19, 19)) * 1.01;
         exact_poly_at(y, c, 51, t);
         c[0] = -mpq_get_d(y);
         assert_ok(algsurf_poly_value_compensated(c, NULL, 51, t, &value, &bound));
@@ -201,8 +201,8 @@ static void check_bernstein(uint64_t *seed, int n, const double *c, double lo, d
     mpq_t *exact = malloc((size_t)(n + 1) * sizeof *exact);
     for (int i = 0; i <= n; i++) {
         mpq_init(exact[i]);
-        r[i] = exact_random_int(seed, 2) ? fabs(c[i]) : 0.0;
-        member[i] = c[i] + (exact_random_int(seed, 2) ? r[i] : -r[i]);
+        r[i] = random_int(seed, 2) ? fabs(c[i]) : 0.0;
+        member[i] = c[i] + (random_int(seed, 2) ? r[i] : -r[i]);
     }
     assert_ok(algsurf_poly_to_bernstein(c, NULL, n, lo, hi, b, br));
     exact_bernstein(exact, c, n, lo, hi);
@@ -228,11 +228,11 @@ TEST(test_bernstein_encloses) {
     double c[TOP + 1];
     for (size_t f = 0; f < sizeof family / sizeof family[0]; f++)
         for (int i = 0; i < family[f].rounds; i++) {
-            int n = exact_random_int(&seed, family[f].degree + 1);
-            for (int k = 0; k <= n; k++) c[k] = exact_random_wide(&seed, family[f].low, family[f].high);
-            for (int k = n; k > 0 && exact_random_int(&seed, 3) == 0; k--) c[k] = 0.0;
-            double lo = exact_random_wide(&seed, family[f].x_low, family[f].x_high), hi = lo;
-            while (hi == lo) hi = exact_random_wide(&seed, family[f].x_low, family[f].x_high);
+            int n = random_int(&seed, family[f].degree + 1);
+            for (int k = 0; k <= n; k++) c[k] = random_wide(&seed, family[f].low, family[f].high);
+            for (int k = n; k > 0 && random_int(&seed, 3) == 0; k--) c[k] = 0.0;
+            double lo = random_wide(&seed, family[f].x_low, family[f].x_high), hi = lo;
+            while (hi == lo) hi = random_wide(&seed, family[f].x_low, family[f].x_high);
             check_bernstein(&seed, n, c, fmin(lo, hi), fmax(lo, hi), i);
         }
 }
@@ -281,7 +281,7 @@ TEST(test_any_environment) {
     for (int i = 0; i < 300; i++) {
         int low = i % 2 ? -1074 : -4;
         fill(&seed, c, r, 8, low, low + 8);
-        double t = exact_random_unit(&seed);
+        double t = random_unit(&seed);
         (void)algsurf_poly_value(c, r, 8, t, &want[0], &want[1]);
         (void)algsurf_poly_value_compensated(c, r, 8, t, &want[2], &want[3]);
         (void)algsurf_poly_to_bernstein(c, r, 8, -1, 0.3, b, br);

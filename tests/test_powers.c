@@ -55,11 +55,11 @@ static void make_power(int k, double by) {
 
 static void random_root(uint64_t *seed, int degree, int size) {
     root.count = 0;
-    for (int n = 2 + exact_random_int(seed, 5), i = 0; i < n; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? degree : exact_random_int(seed, degree + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        add_term(&root, &(algsurf_term){e[0], e[1], e[2], 1 + exact_random_int(seed, size)});
-        if (exact_random_int(seed, 2)) root.of[root.count - 1].a *= -1;
+    for (int n = 2 + random_int(seed, 5), i = 0; i < n; i++) {
+        int e[3] = {0, 0, 0}, total = i == 0 ? degree : random_int(seed, degree + 1);
+        while (total-- > 0) e[random_int(seed, 3)]++;
+        add_term(&root, &(algsurf_term){e[0], e[1], e[2], 1 + random_int(seed, size)});
+        if (random_int(seed, 2)) root.of[root.count - 1].a *= -1;
     }
     int kept = 0;
     for (int i = 0; i < root.count; i++)
@@ -85,8 +85,8 @@ TEST(test_found) {
     int found = 0, nudged = 0;
     algsurf_surface *made;
     for (int round = 0; round < 2000 * rounds; round++) {
-        const int degree = 1 + exact_random_int(&seed, 6), k = 2 + exact_random_int(&seed, 64 / degree - 1);
-        const double by = ldexp(exact_random_int(&seed, 2) ? 3 : -1, exact_random_int(&seed, 40) - 20);
+        const int degree = 1 + random_int(&seed, 6), k = 2 + random_int(&seed, 64 / degree - 1);
+        const double by = ldexp(random_int(&seed, 2) ? 3 : -1, random_int(&seed, 40) - 20);
         random_root(&seed, degree, round % 3 ? 3 : 1000);
         make_power(k, 1);
         if (!power.count || !root.count || algsurf_surface_from_terms(root.of, (size_t)root.count, &made))
@@ -107,8 +107,8 @@ TEST(test_found) {
                      degree);
         found += exact;
         algsurf_surface_free(made);
-        algsurf_term *one = power.of + exact_random_int(&seed, power.count);
-        one->a = nextafter(one->a, exact_random_int(&seed, 2) ? INFINITY : -INFINITY);
+        algsurf_term *one = power.of + random_int(&seed, power.count);
+        one->a = nextafter(one->a, random_int(&seed, 2) ? INFINITY : -INFINITY);
         assert_ok(algsurf_surface_from_terms(power.of, (size_t)power.count, &made));
         if (power.count > 1 && made->root) /* (one term alone has any coefficient) */
             fail_msg("seed %llu, round %d: no power", (unsigned long long)first_seed, round);
@@ -229,8 +229,8 @@ static void judge_rays(uint64_t *seed, int count, const algsurf_extent *extent) 
     int hits = 0;
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++) {
-            double aim = i == 0 ? 0 : i % 4 ? exact_random_unit(seed) : exact_random_int(seed, 3) - 1;
-            c.ray.direction[k] = i % 5 ? exact_random_unit(seed) : k == (i + 1) % 3;
+            double aim = i == 0 ? 0 : i % 4 ? random_unit(seed) : random_int(seed, 3) - 1;
+            c.ray.direction[k] = i % 5 ? random_unit(seed) : k == (i + 1) % 3;
             c.ray.origin[k] = aim - 3 * c.ray.direction[k];
         }
         c.ray.t_min = i % 7 ? 0 : -INFINITY, c.ray.t_max = i % 11 ? INFINITY : 3;
@@ -281,7 +281,7 @@ TEST(test_leave) {
                 double start[3], square = -1;
                 for (int a = 0; a < 3; a++) {
                     c.ray.origin[a] = i % 2 ? 0 : 2 * (a == i % 3);
-                    c.ray.direction[a] = exact_random_unit(&seed) - c.ray.origin[a];
+                    c.ray.direction[a] = random_unit(&seed) - c.ray.origin[a];
                 }
                 c.ray.t_min = 0, c.ray.t_max = INFINITY;
                 assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));

@@ -110,9 +110,9 @@ static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, int own, uint64_
     mpq_init(ratio);
     for (int depth = 1; depth <= DEEP; depth++) {
         lanes left[MOST + 1], left_e[MOST + 1];
-        double place = depth % 3 == 0 ? 0.5 : 0.5 + (0.5 - 0.5 / n) * exact_random_unit(random);
+        double place = depth % 3 == 0 ? 0.5 : 0.5 + (0.5 - 0.5 / n) * random_unit(random);
         double at = ldexp(floor(ldexp(place, 30)), -30);
-        int right = exact_random_unit(random) > 0;
+        int right = random_unit(random) > 0;
         widen_radii(w, e, n, own, 8 * n * 0x1p-53 * largest);
         for (int j = 0; j <= n && !own; j++) e[j] = e[0];
         if (depth % 2) {
@@ -149,16 +149,16 @@ static int make_terms(algsurf_term *t, int n, int kind, uint64_t *random) {
         }
     } else if (kind == 1 || n > 10) {
         for (int m = 0; m < 12; m++) {
-            int i = (int)(n * 0.5 * (1 + exact_random_unit(random)));
-            int j = (int)((n - i) * 0.5 * (1 + exact_random_unit(random)));
-            t[count++] = (algsurf_term){i, j, n - i - j, exact_random_unit(random)};
+            int i = (int)(n * 0.5 * (1 + random_unit(random)));
+            int j = (int)((n - i) * 0.5 * (1 + random_unit(random)));
+            t[count++] = (algsurf_term){i, j, n - i - j, random_unit(random)};
         }
-        t[count++] = (algsurf_term){0, 0, 0, exact_random_unit(random)};
+        t[count++] = (algsurf_term){0, 0, 0, random_unit(random)};
     } else {
         for (int i = 0; i <= n; i++)
             for (int j = 0; i + j <= n; j++)
                 for (int k = 0; i + j + k <= n; k++)
-                    t[count++] = (algsurf_term){i, j, k, exact_random_unit(random)};
+                    t[count++] = (algsurf_term){i, j, k, random_unit(random)};
     }
     return count;
 }
@@ -182,10 +182,10 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     n = s->node_degree;
     for (int l = 0; l < LANES; l++) {
         algsurf_ray ray = {{0}, {0}, 0, 0};
-        double middle = 3 + exact_random_unit(random), half = 0.5 + 0.25 * exact_random_unit(random);
+        double middle = 3 + random_unit(random), half = 0.5 + 0.25 * random_unit(random);
         for (int i = 0; i < 3; i++) {
-            ray.direction[i] = exact_random_unit(random);
-            ray.origin[i] = exact_random_unit(random) - middle * ray.direction[i];
+            ray.direction[i] = random_unit(random);
+            ray.origin[i] = random_unit(random) - middle * ray.direction[i];
             line.middle[i][l] = along(all_lanes(ray.origin[i]), all_lanes(0), all_lanes(middle),
                                       all_lanes(ray.direction[i]))[0];
             line.half[i][l] = half * ray.direction[i];
@@ -221,7 +221,7 @@ TEST(test_cuts) {
             for (int j = 0; j <= degrees[d]; j++) {
                 e[j] = all_lanes(0);
                 for (int l = 0; l < LANES; l++) {
-                    b[j][l] = exact_random_unit(&random);
+                    b[j][l] = random_unit(&random);
                     exact_set(f[l].b[j], b[j][l]);
                 }
             }

@@ -17,9 +17,9 @@ static void random_integer(uint64_t *seed, mpz_t z, int bits) {
     mpz_set_ui(z, 0);
     for (int i = 0; i < bits; i += 8) {
         mpz_mul_2exp(z, z, 8);
-        mpz_add_ui(z, z, (unsigned long)exact_random_int(seed, 256));
+        mpz_add_ui(z, z, (unsigned long)random_int(seed, 256));
     }
-    if (exact_random_int(seed, 2)) mpz_neg(z, z);
+    if (random_int(seed, 2)) mpz_neg(z, z);
 }
 
 /* Multiplies p, of degree n, by b x - a; returns n + 1. */
@@ -38,9 +38,8 @@ TEST(test_random) {
     uint64_t seed = 5;
     mpz_t *p = exact_polynomials(1, TOP + 1);
     for (int i = 0; i < 600; i++) {
-        int n = 1 + exact_random_int(&seed, 9);
-        for (int k = 0; k <= n; k++)
-            random_integer(&seed, p[k], exact_random_int(&seed, 6) ? 8 * (i % 200) : 0);
+        int n = 1 + random_int(&seed, 9);
+        for (int k = 0; k <= n; k++) random_integer(&seed, p[k], random_int(&seed, 6) ? 8 * (i % 200) : 0);
         if (exact_degree(p, n) < 0) continue;
         isolate_judge_integers(p, n, ends[i % 4][0], ends[i % 4][1], &answer);
     }
@@ -56,13 +55,13 @@ TEST(test_known) {
     for (int i = 0; i < 150; i++) {
         int n = 0;
         mpz_set_ui(p[0], 1);
-        for (int roots = 1 + exact_random_int(&seed, 3); roots > 0; roots--) {
-            random_integer(&seed, a, 8 + 8 * exact_random_int(&seed, 40));
-            random_integer(&seed, b, 8 + 8 * exact_random_int(&seed, 40));
+        for (int roots = 1 + random_int(&seed, 3); roots > 0; roots--) {
+            random_integer(&seed, a, 8 + 8 * random_int(&seed, 40));
+            random_integer(&seed, b, 8 + 8 * random_int(&seed, 40));
             if (mpz_sgn(b) == 0) continue;
-            for (int m = 1 + exact_random_int(&seed, 2); m > 0; m--) n = times_root(p, n, a, b);
+            for (int m = 1 + random_int(&seed, 2); m > 0; m--) n = times_root(p, n, a, b);
             mpz_mul_2exp(a, a, 500), mpz_mul_2exp(b, b, 500), mpz_add_ui(a, a, 1);
-            if (exact_random_int(&seed, 2)) n = times_root(p, n, a, b);
+            if (random_int(&seed, 2)) n = times_root(p, n, a, b);
         }
         isolate_judge_integers(p, n, -INFINITY, INFINITY, &answer);
         for (int k = 0; k < answer.count; k++) {
@@ -159,13 +158,11 @@ TEST(test_powers_of_subnormals) {
     static const int steps[] = {2, 3, 4, 7, 20, 25, 64, 99, 256};
     uint64_t seed = 7;
     for (int i = 0; i < 400; i++) {
-        double a = ldexp(1 + fabs(exact_random_unit(&seed)), exact_random_int(&seed, 200) - 100),
-               c[300] = {0};
-        double root = ldexp(1 + fabs(exact_random_unit(&seed)), -1022 - exact_random_int(&seed, 53));
+        double a = ldexp(1 + fabs(random_unit(&seed)), random_int(&seed, 200) - 100), c[300] = {0};
+        double root = ldexp(1 + fabs(random_unit(&seed)), -1022 - random_int(&seed, 53));
         if (a < 1) a = 1 / a;
         double b = i < 3 ? known[i][1] : a * root;
-        int k = i < 3 ? 20 : steps[exact_random_int(&seed, 9)],
-            m = i % 4 == 3 ? exact_random_int(&seed, 4) : 0;
+        int k = i < 3 ? 20 : steps[random_int(&seed, 9)], m = i % 4 == 3 ? random_int(&seed, 4) : 0;
         c[m] = i % 2 ? b : -b, c[m + k] = i < 3 ? known[i][0] : a;
         int roots = c[m] < 0 && k % 2 == 0 ? 2 : k % 2, zero = m > 0, above = c[m] < 0;
         check_power(c, m + k, -INFINITY, INFINITY, roots + zero);
@@ -199,14 +196,13 @@ TEST(test_cuts) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {0, INFINITY}, {0, 2}, {-3, 0}, {-1, 0x1p-1074}};
     uint64_t seed = 8;
     for (int i = 0; i < 1500; i++) {
-        int n = 1 + exact_random_int(&seed, 9), wide = i % 3 == 0 ? 1020 : 20;
+        int n = 1 + random_int(&seed, 9), wide = i % 3 == 0 ? 1020 : 20;
         double c[10] = {0};
-        for (int k = 0; k <= n; k++)
-            c[k] = exact_random_int(&seed, 3) ? exact_random_wide(&seed, -wide, wide) : 0;
+        for (int k = 0; k <= n; k++) c[k] = random_int(&seed, 3) ? random_wide(&seed, -wide, wide) : 0;
         if (i % 4 == 0)
             for (int k = 1; k < n; k++) c[k] = 0;
         if (i % 4 == 1 && wide == 20) {
-            double root = ldexp(exact_random_int(&seed, 63) - 31, exact_random_int(&seed, 9) - 4);
+            double root = ldexp(random_int(&seed, 63) - 31, random_int(&seed, 9) - 4);
             for (int k = 0; k <= n; k++) c[k] = k == 0;
             for (int m = 0; m < n; m++)
                 for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - root * c[k];
@@ -222,11 +218,10 @@ TEST(test_cuts) {
 TEST(test_ends_at_roots) {
     uint64_t seed = 9;
     for (int i = 0; i < 500; i++) {
-        int n = 0, zeros = i % 5 == 4 ? 1 + i % 3 : 0,
-            most = 1 + exact_random_int(&seed, i % 10 == 0 ? 8 : 5);
+        int n = 0, zeros = i % 5 == 4 ? 1 + i % 3 : 0, most = 1 + random_int(&seed, i % 10 == 0 ? 8 : 5);
         double c[30] = {1}, ends[5] = {-INFINITY, INFINITY, 0}, root[16];
         for (int m = 0; m < most; m++) {
-            root[m] = (2 * exact_random_int(&seed, 2) - 1) * (m + 1 + 0.25 * exact_random_int(&seed, 4));
+            root[m] = (2 * random_int(&seed, 2) - 1) * (m + 1 + 0.25 * random_int(&seed, 4));
             n = isolate_times_root(c, n, 4 * root[m], 4);
         }
         for (int k = n; zeros && k >= 0; k--) c[k + zeros] = c[k];
@@ -253,7 +248,7 @@ TEST(test_zero_is_no_place_to_search) {
         for (int round = 0; round < 3; round++) {
             size_t cells[3];
             int count[3];
-            for (int k = 0; k <= n; k++) c[k] = exact_random_unit(&seed);
+            for (int k = 0; k <= n; k++) c[k] = random_unit(&seed);
             static const double lo[] = {1e-300, 0, -0x1p-1074};
             for (int i = 0; i < 3; i++) {
                 algsurf_observer o = {.size = sizeof o};

@@ -206,10 +206,10 @@ TEST(test_brent_is_brents) {
     }
     uint64_t seed = SEED;
     for (int round = 0; round < 3000; round++) {
-        for (int i = 0; i < 8; i++) random_c[i] = exact_random_wide(&seed, -6, 3);
-        double lo = 2 * exact_random_unit(&seed), hi = lo + 2 * fabs(exact_random_unit(&seed));
+        for (int i = 0; i < 8; i++) random_c[i] = random_wide(&seed, -6, 3);
+        double lo = 2 * random_unit(&seed), hi = lo + 2 * fabs(random_unit(&seed));
         if (sign_of(f_random(lo)) * sign_of(f_random(hi)) < 0)
-            compare_with_book(f_random, lo, hi, ldexp(1.0, -5 - exact_random_int(&seed, 45)));
+            compare_with_book(f_random, lo, hi, ldexp(1.0, -5 - random_int(&seed, 45)));
     }
 }
 
@@ -365,14 +365,14 @@ TEST(test_polynomials_with_known_roots) {
     uint64_t seed = SEED;
     int points[4] = {0};
     for (int round = 0; round < 1500; round++) {
-        int n = 1 + exact_random_int(&seed, 7), at = exact_random_int(&seed, n);
+        int n = 1 + random_int(&seed, 7), at = random_int(&seed, n);
         double roots[7], c[8], gap = 2;
-        for (int i = 0; i < n; i++) roots[i] = (i * 5 - 16 + exact_random_int(&seed, 5)) / 16.0;
+        for (int i = 0; i < n; i++) roots[i] = (i * 5 - 16 + random_int(&seed, 5)) / 16.0;
         from_roots(c, roots, n);
         if (at > 0) gap = fmin(gap, roots[at] - roots[at - 1]);
         if (at < n - 1) gap = fmin(gap, roots[at + 1] - roots[at]);
-        double lo = roots[at] - gap * (0.01 + 0.98 * fabs(exact_random_unit(&seed)));
-        double hi = roots[at] + gap * (0.01 + 0.98 * fabs(exact_random_unit(&seed)));
+        double lo = roots[at] - gap * (0.01 + 0.98 * fabs(random_unit(&seed)));
+        double hi = roots[at] + gap * (0.01 + 0.98 * fabs(random_unit(&seed)));
         for (int m = 0; m < 4; m++)
             for (int t = 0; t < 2; t++) {
                 double tolerance = t ? 1e-9 : 0;
@@ -423,10 +423,10 @@ TEST(test_newton_is_bounded) {
     static const int degrees[] = {1, 2, 3, 5, 9, 21, 64, 512};
     int done = 0, points = 0;
     for (int round = 0; round < 4000; round++) {
-        int n = degrees[exact_random_int(&seed, round % 20 ? 7 : 8)], wide = round % 3;
-        for (int i = 0; i <= n; i++) c[i] = exact_random_wide(&seed, wide ? -900 : -3, wide ? 900 : 3);
+        int n = degrees[random_int(&seed, round % 20 ? 7 : 8)], wide = round % 3;
+        for (int i = 0; i <= n; i++) c[i] = random_wide(&seed, wide ? -900 : -3, wide ? 900 : 3);
         int range = wide == 2 ? 1000 : 3;
-        double lo = exact_random_wide(&seed, -range, range), hi = exact_random_wide(&seed, -range, range);
+        double lo = random_wide(&seed, -range, range), hi = random_wide(&seed, -range, range);
         algsurf_refined_root r;
         algsurf_status status = algsurf_refine_poly(c, NULL, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
         if (status == ALGSURF_E_ARGUMENT) continue; /* no sign change */
@@ -643,8 +643,8 @@ TEST(test_observer) {
     int polynomials = 0;
     for (int round = 0; round < 3000; round++) {
         double c[6], shift = ldexp(1, 600 * (round % 3 - 1)); /* balanced, as it is, balanced */
-        for (int i = 0; i < 6; i++) c[i] = shift * exact_random_wide(&seed, -6, 3);
-        double lo = exact_random_unit(&seed), hi = lo + fabs(exact_random_unit(&seed));
+        for (int i = 0; i < 6; i++) c[i] = shift * random_wide(&seed, -6, 3);
+        double lo = random_unit(&seed), hi = lo + fabs(random_unit(&seed));
         if (sign_of(horner(c, 5, lo)) * sign_of(horner(c, 5, hi)) >= 0) continue;
         polynomials++;
         for (int m = 0; m < 4; m++) {

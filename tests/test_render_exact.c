@@ -64,7 +64,7 @@ static struct {
 } seen;
 
 static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + exact_random_unit(seed));
+    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
 }
 
 /* ---- surfaces ---- */
@@ -88,7 +88,7 @@ static void add_dense(algsurf_term *terms, int *count, int n, uint64_t *seed) {
             for (int k = 0; i + j + k <= n; k++) {
                 double ways =
                     factorial(n) / factorial(i) / factorial(j) / factorial(k) / factorial(n - i - j - k);
-                terms[(*count)++] = (algsurf_term){i, j, k, sqrt(ways) * exact_random_unit(seed)};
+                terms[(*count)++] = (algsurf_term){i, j, k, sqrt(ways) * random_unit(seed)};
             }
 }
 
@@ -139,15 +139,15 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
     } else if (kind < NAMED + 2) {
         n = kind == NAMED ? 8 : 16;
         for (int axis = 0; axis < 3; axis++) add_chebyshev(terms, &count, axis, n);
-        if (exact_random_int(seed, 2)) terms[count++] = (algsurf_term){0, 0, 0, 1};
+        if (random_int(seed, 2)) terms[count++] = (algsurf_term){0, 0, 0, 1};
         (void)snprintf(v->name, sizeof v->name, "chmutov-%d", n);
     } else {
-        n = degrees[exact_random_int(seed, kind == NAMED + 5 ? 12 : 4)];
+        n = degrees[random_int(seed, kind == NAMED + 5 ? 12 : 4)];
         add_dense(terms, &count, n, seed);
         (void)snprintf(v->name, sizeof v->name, "dense-%d", n);
     }
-    *length = exact_random_int(seed, 3) ? 0 : (int)(uniform(seed, -1, 1) * fmin(332, 900.0 / n));
-    scale_terms(terms, count, *length, exact_random_int(seed, 3) ? 0 : (int)uniform(seed, -498, 498));
+    *length = random_int(seed, 3) ? 0 : (int)(uniform(seed, -1, 1) * fmin(332, 900.0 / n));
+    scale_terms(terms, count, *length, random_int(seed, 3) ? 0 : (int)uniform(seed, -498, 498));
     set_surface(v, terms, count);
     free(terms);
 }
@@ -160,8 +160,8 @@ static int find_point(const view *v, double far, uint64_t *seed, double point[3]
         algsurf_ray ray = {.t_max = 4 * far};
         algsurf_hit hit;
         for (int k = 0; k < 3; k++) {
-            ray.origin[k] = far * exact_random_unit(seed);
-            ray.direction[k] = exact_random_unit(seed);
+            ray.origin[k] = far * random_unit(seed);
+            ray.direction[k] = random_unit(seed);
         }
         assert_ok(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit));
         if (hit.state != ALGSURF_STATE_HIT) continue;
@@ -174,7 +174,7 @@ static int find_point(const view *v, double far, uint64_t *seed, double point[3]
 static void make_extent(view *v, int length, uint64_t *seed) {
     algsurf_extent *e = &v->extent;
     double unit = ldexp(1, length), far;
-    int kind = exact_random_int(seed, 8);
+    int kind = random_int(seed, 8);
     for (int i = 0; i < 3; i++) e->centre[i] *= unit, e->size[i] *= unit;
     if (kind == 1 || kind == 2) { /* a part of the surface */
         far = kind == 1 ? e->size[0] : e->size[0] * pow(10, uniform(seed, -6, 6));
@@ -186,7 +186,7 @@ static void make_extent(view *v, int length, uint64_t *seed) {
         e->size[0] *= pow(10, uniform(seed, -6, 6));
     }
     v->radius = e->size[0];
-    if (exact_random_int(seed, 4) == 0) {
+    if (random_int(seed, 4) == 0) {
         e->kind = ALGSURF_EXTENT_BOX;
         v->radius = 0;
         for (int i = 0; i < 3; i++) {
@@ -201,9 +201,9 @@ static void make_extent(view *v, int length, uint64_t *seed) {
 
 static void unit_vector(double d[3], int kind, uint64_t *seed) {
     double length = 0;
-    int axis = exact_random_int(seed, 3);
+    int axis = random_int(seed, 3);
     for (int i = 0; i < 3; i++) {
-        d[i] = exact_random_unit(seed);
+        d[i] = random_unit(seed);
         if (kind == 0) d[i] = i == axis;      /* along an axis */
         if (kind == 1 && i == axis) d[i] = 0; /* in a plane of symmetry */
         if (kind == 2 && i == axis && i > 0) d[i] = d[i - 1];
@@ -215,7 +215,7 @@ static void unit_vector(double d[3], int kind, uint64_t *seed) {
 static void aim(view *v, const double eye[3], const double at[3], double tangent, uint64_t *seed) {
     double up[3], fov = fmin(170, fmax(1e-5, 2 * atan(tangent) * 57.29577951308232));
     for (int turns = 0; turns < 10; turns++) {
-        unit_vector(up, exact_random_int(seed, 2) * 3, seed);
+        unit_vector(up, random_int(seed, 2) * 3, seed);
         if (algsurf_camera_pinhole(eye, at, up, fov, &v->camera) == ALGSURF_OK) return;
     }
     fail_msg("view %d: no camera at %a %a %a for %a %a %a, %g degrees", v->number, eye[0], eye[1], eye[2],
@@ -225,31 +225,31 @@ static void aim(view *v, const double eye[3], const double at[3], double tangent
 static void aim_parallel(view *v, const double eye[3], const double at[3], double height, uint64_t *seed) {
     double up[3];
     for (int turns = 0; turns < 10; turns++) {
-        unit_vector(up, exact_random_int(seed, 2) * 3, seed);
+        unit_vector(up, random_int(seed, 2) * 3, seed);
         if (algsurf_camera_orthographic(eye, at, up, height, &v->camera) == ALGSURF_OK) return;
     }
     fail_msg("view %d: no camera", v->number);
 }
 
 static void make_picture(view *v, uint64_t *seed) {
-    v->width = 1 + exact_random_int(seed, exact_random_int(seed, 2) ? 24 : 200);
-    int rows = 1 + exact_random_int(seed, MOST_PIXELS / v->width < 14 ? MOST_PIXELS / v->width : 14);
-    v->height = rows + (exact_random_int(seed, 2) ? 0 : v->width);
-    v->row_begin = exact_random_int(seed, v->height - rows + 1);
-    if (exact_random_int(seed, 2)) v->row_begin = (v->height - rows) / 2;
+    v->width = 1 + random_int(seed, random_int(seed, 2) ? 24 : 200);
+    int rows = 1 + random_int(seed, MOST_PIXELS / v->width < 14 ? MOST_PIXELS / v->width : 14);
+    v->height = rows + (random_int(seed, 2) ? 0 : v->width);
+    v->row_begin = random_int(seed, v->height - rows + 1);
+    if (random_int(seed, 2)) v->row_begin = (v->height - rows) / 2;
     v->row_end = v->row_begin + rows;
-    v->antialias = exact_random_int(seed, 8) ? 1 : 2;
+    v->antialias = random_int(seed, 8) ? 1 : 2;
     v->kernel = algsurf_kernel_name(0);
 }
 
 static void make_camera(view *v, uint64_t *seed) {
     static const double distances[] = {1.0001, 1.000002, 1.3, 4, 1e2, 1e4, 1e6, 1e7, 1e8, 0.5, 0, 4};
-    double far = distances[exact_random_int(seed, 12)], eye[3], at[3], d[3], aside[3], zoom = 1;
-    int centred = exact_random_int(seed, 3) == 0;
-    if (exact_random_int(seed, 5) == 0) far = pow(10, uniform(seed, -3, 8));
-    if (exact_random_int(seed, 3) == 0) zoom = pow(10, uniform(seed, -7, 0));
-    unit_vector(d, exact_random_int(seed, 5), seed);
-    unit_vector(aside, exact_random_int(seed, 4), seed);
+    double far = distances[random_int(seed, 12)], eye[3], at[3], d[3], aside[3], zoom = 1;
+    int centred = random_int(seed, 3) == 0;
+    if (random_int(seed, 5) == 0) far = pow(10, uniform(seed, -3, 8));
+    if (random_int(seed, 3) == 0) zoom = pow(10, uniform(seed, -7, 0));
+    unit_vector(d, random_int(seed, 5), seed);
+    unit_vector(aside, random_int(seed, 4), seed);
     double off = centred ? 0 : uniform(seed, 0, 1) * v->radius;
     for (int i = 0; i < 3; i++) {
         eye[i] = v->extent.centre[i] + far * v->radius * d[i];
@@ -261,8 +261,8 @@ static void make_camera(view *v, uint64_t *seed) {
     }
     double spread = far > 1 ? 1 / sqrt(far * far - 1) : uniform(seed, 0.3, 11);
     double share = (double)v->height / fmax(v->width, v->height); /* the longer side spans the ball */
-    if (far > 0 && exact_random_int(seed, 4) == 0) {
-        if (far < 1.2 && far > 1 && exact_random_int(seed, 2)) far = 3;
+    if (far > 0 && random_int(seed, 4) == 0) {
+        if (far < 1.2 && far > 1 && random_int(seed, 2)) far = 3;
         for (int i = 0; i < 3; i++) at[i] = eye[i] - far * v->radius * d[i] + off * aside[i];
         aim_parallel(v, eye, at, 2.1 * v->radius * zoom * share, seed);
     } else {
@@ -409,7 +409,7 @@ static void check_drawing(const view *v, const drawing *d, uint64_t *seed) {
     int checks = CHECKED / (1 + (v->degree > 10));
     for (int i = 0; i < 2 * checks && seen.wrong == wrong; i++) {
         int edge = i % 2 && edge_count > 0;
-        int at = edge ? edges[exact_random_int(seed, edge_count)] : exact_random_int(seed, count);
+        int at = edge ? edges[random_int(seed, edge_count)] : random_int(seed, count);
         if (!done[at]) check_pixel(v, d, at % v->width, v->row_begin + at / v->width, edge);
         done[at] = 1;
     }
@@ -428,8 +428,8 @@ static void check_same(const view *v, const drawing *d, uint64_t *seed) {
     static drawing other;
     int kernels = 1, count = v->width * (v->row_end - v->row_begin);
     while (algsurf_kernel_name(kernels)) kernels++;
-    int skip = exact_random_int(seed, v->row_end - v->row_begin);
-    draw(v, algsurf_kernel_name(exact_random_int(seed, kernels)), v->row_begin + skip, &other);
+    int skip = random_int(seed, v->row_end - v->row_begin);
+    draw(v, algsurf_kernel_name(random_int(seed, kernels)), v->row_begin + skip, &other);
     int from = skip * v->width;
     if (memcmp(other.hits, d->hits + from, (size_t)(count - from) * sizeof *other.hits) ||
         memcmp(other.bytes, d->bytes + 3 * from, 3 * (size_t)(count - from))) {
@@ -451,7 +451,7 @@ static int hits_at(const view *v, double x, double y) {
 /* Turns the camera to where the drawing changes from hit to miss, and narrows its view; 0 if there is no such
  * place. */
 static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
-    int count = v->width * (v->row_end - v->row_begin), start = exact_random_int(seed, count), at = -1;
+    int count = v->width * (v->row_end - v->row_begin), start = random_int(seed, count), at = -1;
     for (int i = 0; i < count && at < 0; i++) {
         int k = (start + i) % count;
         if (k % v->width < v->width - 1 && (isinf(d->hits[k]) != 0) != (isinf(d->hits[k + 1]) != 0)) at = k;
@@ -471,7 +471,7 @@ static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
     for (int i = 0; i < 3; i++) far += ray.direction[i] * (v->extent.centre[i] - ray.origin[i]);
     if (!(far > 0)) far = v->radius;
     for (int i = 0; i < 3; i++) place[i] = ray.origin[i] + far * ray.direction[i];
-    zoom = ldexp(v->camera.half_height, -exact_random_int(seed, 44));
+    zoom = ldexp(v->camera.half_height, -random_int(seed, 44));
     if (v->camera.kind == ALGSURF_CAMERA_ORTHOGRAPHIC) {
         aim_parallel(v, ray.origin, place, 2 * zoom, seed);
     } else {
@@ -635,8 +635,8 @@ static void set_wide_surface(view *v, int length, int planes, uint64_t *seed) {
     algsurf_term terms[8];
     int count = 0;
     for (int axis = 0; axis < 3; axis++)
-        terms[count++] = (algsurf_term){axis == 0, axis == 1, axis == 2, exact_random_unit(seed)};
-    terms[count++] = (algsurf_term){0, 0, 0, 0.4 * exact_random_unit(seed)};
+        terms[count++] = (algsurf_term){axis == 0, axis == 1, axis == 2, random_unit(seed)};
+    terms[count++] = (algsurf_term){0, 0, 0, 0.4 * random_unit(seed)};
     if (!planes) terms[count++] = (algsurf_term){2, 0, 0, 1}, terms[count++] = (algsurf_term){0, 2, 0, 1};
     for (int i = 0; i < count; i++) {
         int power = terms[i].i + terms[i].j + terms[i].k;
@@ -646,11 +646,11 @@ static void set_wide_surface(view *v, int length, int planes, uint64_t *seed) {
 }
 
 static void aim_at_wide_extent(view *v, uint64_t *seed) {
-    double eye[3], d[3], far = exact_random_int(seed, 3) ? 3 : 0.5;
+    double eye[3], d[3], far = random_int(seed, 3) ? 3 : 0.5;
     const double *at = v->extent.centre;
     unit_vector(d, 3, seed);
     for (int i = 0; i < 3; i++) eye[i] = at[i] + far * v->radius * d[i];
-    if (exact_random_int(seed, 2))
+    if (random_int(seed, 2))
         aim_parallel(v, eye, at, 2.1 * v->radius, seed);
     else
         aim(v, eye, at, far > 1 ? 0.35 : 1, seed);
@@ -689,7 +689,7 @@ TEST(test_wide_extents) {
         v.extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
         for (int i = 0; i < 3; i++) {
             v.extent.size[i] = ldexp(1 + 0.2 * i, size);
-            v.extent.centre[i] = aside ? ldexp(exact_random_unit(&seed), size) : 0;
+            v.extent.centre[i] = aside ? ldexp(random_unit(&seed), size) : 0;
         }
         v.radius = (box ? 2.1 : 1) * v.extent.size[0];
         set_wide_surface(&v, kind < 8 ? size : 0, kind % 3 || abs(size) > 500, &seed);

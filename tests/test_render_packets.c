@@ -36,12 +36,12 @@ static view view_of(const catalogue_entry *entry, int number, uint64_t *seed) {
            length = 0;
     view v = {entry, entry->extent, {.kind = ALGSURF_CAMERA_PINHOLE}, number};
     for (int i = 0; i < 3; i++) {
-        eye[i] = number < 6 ? (i == number / 2) * (number % 2 ? -1 : 1) : exact_random_unit(seed);
-        up[i] = number < 6 ? i == (number / 2 + 1) % 3 : exact_random_unit(seed);
+        eye[i] = number < 6 ? (i == number / 2) * (number % 2 ? -1 : 1) : random_unit(seed);
+        up[i] = number < 6 ? i == (number / 2 + 1) % 3 : random_unit(seed);
         length += eye[i] * eye[i];
     }
     for (int i = 0; i < 3; i++) {
-        double aside = number % 4 == 3 ? 0.4 * radius * exact_random_unit(seed) : 0;
+        double aside = number % 4 == 3 ? 0.4 * radius * random_unit(seed) : 0;
         look[i] = entry->extent.centre[i] + aside;
         eye[i] = entry->extent.centre[i] + far * eye[i] / sqrt(length);
     }

@@ -36,12 +36,12 @@ typedef struct view {
 
 /* Through about the middle of what is shown. */
 static void set_planes(view *v) {
-    v->plane_count = v->number % 3 == 2 ? 1 + (size_t)exact_random_int(&v->seed, 2) : 0;
+    v->plane_count = v->number % 3 == 2 ? 1 + (size_t)random_int(&v->seed, 2) : 0;
     for (size_t k = 0; k < v->plane_count; k++) {
         algsurf_plane *p = &v->planes[k];
-        p->offset = 0.3 * v->entry->extent.size[0] * exact_random_unit(&v->seed);
+        p->offset = 0.3 * v->entry->extent.size[0] * random_unit(&v->seed);
         for (int i = 0; i < 3; i++) {
-            p->normal[i] = exact_random_unit(&v->seed);
+            p->normal[i] = random_unit(&v->seed);
             p->offset += p->normal[i] * v->extent.centre[i];
         }
     }
@@ -54,12 +54,12 @@ static void set_view(view *v) {
            length = 0, zoom = v->number % 4 == 2 ? 0.05 : 1;
     v->extent = v->entry->extent;
     for (int i = 0; i < 3; i++) {
-        eye[i] = exact_random_unit(&v->seed);
-        up[i] = exact_random_unit(&v->seed);
+        eye[i] = random_unit(&v->seed);
+        up[i] = random_unit(&v->seed);
         length += eye[i] * eye[i];
     }
     for (int i = 0; i < 3; i++) {
-        look[i] = v->extent.centre[i] + (v->number % 3 ? 0.6 * radius * exact_random_unit(&v->seed) : 0);
+        look[i] = v->extent.centre[i] + (v->number % 3 ? 0.6 * radius * random_unit(&v->seed) : 0);
         eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
     }
     if (v->number % 3 == 1) {
@@ -72,7 +72,7 @@ static void set_view(view *v) {
         assert_ok(algsurf_camera_pinhole(eye, look, up, 2 * atan(zoom * fmin(1.1 * radius / far, 1)) * 57.3,
                                          &v->camera));
     set_planes(v);
-    v->row = HEIGHT / 2 - ROWS + exact_random_int(&v->seed, ROWS);
+    v->row = HEIGHT / 2 - ROWS + random_int(&v->seed, ROWS);
 }
 
 static algsurf_scene *scene_with(const view *v, const algsurf_intersect_options *how, int antialias,
@@ -136,7 +136,7 @@ static void compare_with_others(view *v) {
         algsurf_scene *scene = scene_with(v, NULL, way ? 3 : 1, way == 2 ? 0.05 : 0);
         memset(&whole, 0, sizeof whole), memset(&other, 0, sizeof other);
         draw(v, scene, 0, ROWS, 1, &whole);
-        int cut = 1 + exact_random_int(&v->seed, ROWS - 1);
+        int cut = 1 + random_int(&v->seed, ROWS - 1);
         draw(v, scene, 0, cut, 1, &other), draw(v, scene, cut, ROWS, 1, &other);
         assert_memory_equal(&whole, &other, sizeof whole);
         draw(v, scene, 0, ROWS, 3, &other);

@@ -52,14 +52,14 @@ TEST(test_primes) {
 }
 
 static algsurf_limb random_residue(uint64_t *seed, const algsurf_prime *m) {
-    int kind = exact_random_int(seed, 8);
-    algsurf_limb near = exact_random(seed) % 3;
-    return kind == 0 ? near : kind == 1 ? m->p - 1 - near : exact_random(seed) % m->p;
+    int kind = random_int(seed, 8);
+    algsurf_limb near = random_bits(seed) % 3;
+    return kind == 0 ? near : kind == 1 ? m->p - 1 - near : random_bits(seed) % m->p;
 }
 
 static algsurf_prime random_prime(uint64_t *seed) {
     algsurf_prime m = algsurf_prime_first();
-    for (int i = exact_random_int(seed, 4); i > 0; i--) m = algsurf_prime_next(&m);
+    for (int i = random_int(seed, 4); i > 0; i--) m = algsurf_prime_next(&m);
     return m;
 }
 
@@ -70,7 +70,7 @@ TEST(test_products) {
     for (int i = 0; i < 4000; i++) {
         algsurf_prime m = random_prime(&seed);
         algsurf_limb a = random_residue(&seed, &m),
-                     b = i % 3 ? random_residue(&seed, &m) : exact_random(&seed);
+                     b = i % 3 ? random_residue(&seed, &m) : random_bits(&seed);
         set_limb(p, m.p), set_limb(x, a), set_limb(y, b);
         mpz_mul(x, x, y), scale(x, -1, p);
         if (limb_of(x) != algsurf_residue_times(a, b, &m)) fail_msg("seed %u round %d: times", SEED, i);
@@ -92,9 +92,9 @@ TEST(test_residues_of_integers) {
     mpz_inits(x, p, NULL);
     for (int i = 0; i < 6000; i++) {
         algsurf_prime m = random_prime(&seed);
-        int count = 1 + exact_random_int(&seed, 9), w = 1 + exact_random_int(&seed, 12);
+        int count = 1 + random_int(&seed, 9), w = 1 + random_int(&seed, 12);
         set_limb(p, m.p);
-        for (int k = 0; k < count; k++) exact_random_limbs(&seed, a + k * w, w);
+        for (int k = 0; k < count; k++) random_limbs(&seed, a + k * w, w);
         if (i % 8 == 0) { /* a multiple of the prime */
             memset(a, 0, (size_t)w * sizeof *a);
             a[0] = m.p;
@@ -124,7 +124,7 @@ typedef struct modular {
 
 static void random_poly(uint64_t *seed, modular *a, int n, const algsurf_prime *m) {
     a->n = n;
-    for (int k = 0; k <= n; k++) a->c[k] = exact_random_int(seed, 4) ? random_residue(seed, m) : 0;
+    for (int k = 0; k <= n; k++) a->c[k] = random_int(seed, 4) ? random_residue(seed, m) : 0;
     if (n >= 0 && a->c[n] == 0) a->c[n] = 1;
 }
 
@@ -179,10 +179,10 @@ TEST(test_gcd) {
     for (int i = 0; i < 3000; i++) {
         algsurf_prime m = random_prime(&seed);
         modular a = {0}, b = {0}, g = {0};
-        int sparse = exact_random_int(&seed, 3) == 0 ? 3 : 12;
-        random_poly(&seed, &a, exact_random_int(&seed, sparse), &m);
-        random_poly(&seed, &b, exact_random_int(&seed, sparse) - (i % 10 == 0), &m);
-        random_poly(&seed, &g, exact_random_int(&seed, 6), &m);
+        int sparse = random_int(&seed, 3) == 0 ? 3 : 12;
+        random_poly(&seed, &a, random_int(&seed, sparse), &m);
+        random_poly(&seed, &b, random_int(&seed, sparse) - (i % 10 == 0), &m);
+        random_poly(&seed, &g, random_int(&seed, 6), &m);
         multiply(&a, &a, &g, &m);
         if (b.n >= 0) multiply(&b, &b, &g, &m);
         modular x = a, y = b, u = a, v = b;
@@ -203,8 +203,8 @@ TEST(test_division_and_derivative) {
     for (int i = 0; i < 1000; i++) {
         algsurf_prime m = random_prime(&seed);
         modular a = {0}, b = {0}, derivative = {0};
-        int d = exact_random_int(&seed, 8);
-        random_poly(&seed, &a, d + exact_random_int(&seed, 12), &m);
+        int d = random_int(&seed, 8);
+        random_poly(&seed, &a, d + random_int(&seed, 12), &m);
         random_poly(&seed, &b, d, &m);
         make_monic(&b, &m);
         algsurf_residues_derive(derivative.c, a.c, a.n, &m);

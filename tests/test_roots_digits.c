@@ -94,11 +94,11 @@ static long first_place(algsurf_integer z, int exponent) {
 }
 
 static algsurf_integer random_integer(uint64_t *limbs, int most) {
-    int w = exact_random_int(&seed, most + 1);
-    exact_random_limbs(&seed, limbs, w > 0 ? w : 1);
-    if (w > 0 && exact_random_int(&seed, 4) == 0) limbs[w - 1] = 1 + (limbs[w - 1] & 1023);
+    int w = random_int(&seed, most + 1);
+    random_limbs(&seed, limbs, w > 0 ? w : 1);
+    if (w > 0 && random_int(&seed, 4) == 0) limbs[w - 1] = 1 + (limbs[w - 1] & 1023);
     while (w > 0 && !limbs[w - 1]) w--;
-    return (algsurf_integer){limbs, exact_random_int(&seed, 2) ? w : -w};
+    return (algsurf_integer){limbs, random_int(&seed, 2) ? w : -w};
 }
 
 TEST(random_ones) {
@@ -106,9 +106,9 @@ TEST(random_ones) {
         uint64_t a[8], b[8];
         const uint64_t begin = seed;
         algsurf_precise_root r = {.re = random_integer(a, 6), .im = random_integer(b, 6), .multiplicity = 1};
-        r.exponent = exact_random_int(&seed, 1400) - 900;
-        r.radius = exact_random_int(&seed, 2) ? exact_random_int(&seed, 3000) : 0;
-        const int digits = 1 + exact_random_int(&seed, round % 2 ? 20 : 300);
+        r.exponent = random_int(&seed, 1400) - 900;
+        r.radius = random_int(&seed, 2) ? random_int(&seed, 3000) : 0;
+        const int digits = 1 + random_int(&seed, round % 2 ? 20 : 300);
         if (r.re.length == 0 && r.im.length == 0) continue;
         roots_decimals re, im;
         assert_true(roots_digits(&r, digits, &re, &im));

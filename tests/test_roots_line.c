@@ -22,14 +22,14 @@ static void parse(char *const *field, int count, int rounded) {
 
 enum { MOST_FIELDS = 12, TEXT = 1600 };
 
-static int below(int n) { return exact_random_int(&seed, n); }
+static int below(int n) { return random_int(&seed, n); }
 
 /* An integer of some limbs, often a multiple of an earlier one. */
 static void random_integer(mpz_t z) {
     static const int words[] = {1, 1, 1, 2, 3, 7};
     uint64_t limb[8] = {0};
     int w = words[below(6)];
-    exact_random_limbs(&seed, limb, w);
+    random_limbs(&seed, limb, w);
     mpz_import(z, (size_t)w, -1, sizeof *limb, 0, 0, limb);
     mpz_fdiv_q_2exp(z, z, (mp_bitcnt_t)below(60));
 }

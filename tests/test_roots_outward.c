@@ -39,18 +39,16 @@ static void read_ends(const char *text, mpq_t lo, mpq_t hi) {
 }
 
 static uint64_t seed = 1;
-static uint64_t random_bits(void) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return seed >> 11;
-}
 
 TEST(test_random) {
     mpq_t lo, hi, ends[2], width, wider;
     mpq_inits(lo, hi, ends[0], ends[1], width, wider, NULL);
     for (int n = 0; n < 20000; n++) {
-        int e = (int)(random_bits() % 1200) - 600;
-        double a = ldexp((double)random_bits(), e - 53) * (random_bits() % 2 ? 1 : -1);
-        double b = a + fabs(a) * ldexp((double)(random_bits() % 1000 + 1), -(int)(random_bits() % 60));
+        int e = (int)((random_bits(&seed) >> 11) % 1200) - 600;
+        double a =
+            ldexp((double)(random_bits(&seed) >> 11), e - 53) * ((random_bits(&seed) >> 11) % 2 ? 1 : -1);
+        double b = a + fabs(a) * ldexp((double)((random_bits(&seed) >> 11) % 1000 + 1),
+                                       -(int)((random_bits(&seed) >> 11) % 60));
         if (!(a < b) || !isfinite(b)) continue;
         char text[ROOTS_OUTWARD_ROOM];
         roots_outward((algsurf_interval){a, b}, text);

@@ -66,7 +66,7 @@ static int held(const algsurf_sector *sector, double re, double im) {
 
 /* A sector for a point of argument arg > 0: arg is an end of it, up to some units in the last place. */
 static algsurf_sector sector_at(uint64_t *seed, double arg, int at_begin) {
-    double from = arg * fabs(exact_random_unit(seed)), shift = 0x1p-52 * (exact_random_int(seed, 9) - 4);
+    double from = arg * fabs(random_unit(seed)), shift = 0x1p-52 * (random_int(seed, 9) - 4);
     if (at_begin) return (algsurf_sector){arg * (1 + shift), 0.25 * (pi - arg)};
     return (algsurf_sector){from, (arg - from) * (1 + 0.5 * shift)};
 }
@@ -79,8 +79,8 @@ TEST(test_ends) {
     mpf_t arg;
     mpf_init(arg);
     for (int i = 0; i < 20000; i++) {
-        double re = exact_random_wide(&seed, -2, 2), im = fabs(exact_random_wide(&seed, -2, 2));
-        if (i % 4 == 3) im = ldexp(im, -exact_random_int(&seed, 70));
+        double re = random_wide(&seed, -2, 2), im = fabs(random_wide(&seed, -2, 2));
+        if (i % 4 == 3) im = ldexp(im, -random_int(&seed, 70));
         exact_argument(arg, re, im, 0);
         algsurf_sector sector = sector_at(&seed, mpf_get_d(arg), i % 8 == 7);
         double end = sector.sigma + sector.delta;

@@ -61,7 +61,7 @@ TEST(test_random) {
         double c[21];
         int n = 1 + i % 20;
         for (int k = 0; k <= n; k++)
-            c[k] = ldexp(exact_random_unit(&random), i % 3 ? 0 : exact_random_int(&random, 40) - 20);
+            c[k] = ldexp(random_unit(&random), i % 3 ? 0 : random_int(&random, 40) - 20);
         judge(c, n, -1, 1, &seen);
         judge(c, n, -0x1p20, 0x1p19, &seen);
     }
@@ -77,7 +77,7 @@ TEST(test_ill_conditioned) {
         double c[21] = {1};
         int n = 2 + i % 14;
         for (int m = 0; m < n; m++) {
-            double root = 0.5 + ldexp(exact_random_unit(&random), -(i % 9));
+            double root = 0.5 + ldexp(random_unit(&random), -(i % 9));
             for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - (k <= m ? root * c[k] : 0);
         }
         judge(c, n, -3, 3, &seen);
@@ -109,10 +109,10 @@ TEST(test_bound) {
     uint64_t random = SEED;
     double worst = 0;
     for (int i = 0; i < 60000; i++) {
-        double c[33] = {1}, x = 0.75 + 0.5 * exact_random_unit(&random);
+        double c[33] = {1}, x = 0.75 + 0.5 * random_unit(&random);
         int n = 1 + i % 32;
         for (int m = 0; m < n; m++) {
-            double root = x + ldexp(exact_random_unit(&random), -(i / 32 % 12) - m % 3);
+            double root = x + ldexp(random_unit(&random), -(i / 32 % 12) - m % 3);
             for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - (k <= m ? root * c[k] : 0);
         }
         double size = 0;

@@ -200,12 +200,12 @@ TEST(preview) {
     assert_true(c[0] > 0.8 && c[1] == 0 && c[2] == 0);
 }
 
-static double share(uint64_t *state) { return fabs(exact_random_unit(state)); }
+static double share(uint64_t *state) { return fabs(random_unit(state)); }
 
 static void random_direction(uint64_t *state, double v[3]) {
     double length;
     do {
-        for (int i = 0; i < 3; i++) v[i] = exact_random_unit(state);
+        for (int i = 0; i < 3; i++) v[i] = random_unit(state);
         length = sqrt(reference_dot(v, v));
     } while (!(length > 0.1 && length < 1));
     for (int i = 0; i < 3; i++) v[i] /= length;
@@ -228,32 +228,32 @@ static void random_material(uint64_t *state, double least_roughness, algsurf_mat
                             .roughness = least_roughness + (1 - least_roughness) * share(state),
                             .haze = share(state)};
     for (int i = 0; i < 3; i++) m->outside[i] = share(state), m->inside[i] = share(state);
-    if (exact_random_int(state, 8) == 0) m->inside[exact_random_int(state, 3)] = 0;
-    if (exact_random_int(state, 50) == 0) m->outside[0] = m->outside[1] = m->outside[2] = 0;
+    if (random_int(state, 8) == 0) m->inside[random_int(state, 3)] = 0;
+    if (random_int(state, 50) == 0) m->outside[0] = m->outside[1] = m->outside[2] = 0;
 }
 
 /* Lights at least a tenth of the radius from the point, some straight behind what is seen edge-on; points in
  * the ball, on it and outside. */
 static void random_look(uint64_t *state, double least_roughness, random_case *r) {
-    double scale = ldexp(1, exact_random_int(state, 40) - 20), far = exact_random_int(state, 2) ? 1 : 3;
+    double scale = ldexp(1, random_int(state, 40) - 20), far = random_int(state, 2) ? 1 : 3;
     random_material(state, least_roughness, &r->material);
     r->lighting = (algsurf_lighting){.size = sizeof r->lighting,
                                      .material = &r->material,
                                      .lights = r->lights,
-                                     .light_count = (size_t)exact_random_int(state, ALGSURF_MAX_LIGHTS + 1),
+                                     .light_count = (size_t)random_int(state, ALGSURF_MAX_LIGHTS + 1),
                                      .radius = scale,
-                                     .bounded = exact_random_int(state, 2)};
+                                     .bounded = random_int(state, 2)};
     random_direction(state, r->lighting.up), random_direction(state, r->lighting.forward);
     random_direction(state, r->normal), random_direction(state, r->direction);
     for (int i = 0; i < 3; i++) {
-        r->lighting.centre[i] = scale * exact_random_unit(state);
-        r->point[i] = r->lighting.centre[i] + 0.6 * far * scale * exact_random_unit(state);
-        if (exact_random_int(state, 30) == 0) r->normal[0] = r->normal[1] = r->normal[2] = 0;
+        r->lighting.centre[i] = scale * random_unit(state);
+        r->point[i] = r->lighting.centre[i] + 0.6 * far * scale * random_unit(state);
+        if (random_int(state, 30) == 0) r->normal[0] = r->normal[1] = r->normal[2] = 0;
     }
     for (size_t l = 0; l < r->lighting.light_count; l++) {
         double way[3], distance = scale * (0.1 + 16 * share(state) * share(state));
         random_direction(state, way);
-        if (exact_random_int(state, 10) == 0) memcpy(way, r->direction, sizeof way);
+        if (random_int(state, 10) == 0) memcpy(way, r->direction, sizeof way);
         r->lights[l] = (algsurf_light){.samples_u = 1, .samples_v = 1};
         for (int i = 0; i < 3; i++) {
             r->lights[l].position[i] = r->point[i] + distance * way[i];
@@ -261,7 +261,7 @@ static void random_look(uint64_t *state, double least_roughness, random_case *r)
         }
     }
     for (int l = 0; l <= ALGSURF_MAX_LIGHTS; l++) {
-        int kind = exact_random_int(state, 3);
+        int kind = random_int(state, 3);
         r->visible[l] = kind < 2 ? kind : share(state);
     }
 }

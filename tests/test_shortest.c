@@ -4,6 +4,7 @@
  * Catches: text that reads back as another double, a digit too many, not the nearest of the shortest, the
  * lower neighbour of a power of two, subnormals, a point or an exponent out of place. */
 #include "shortest.h"
+#include "random.h"
 #include "unit.h"
 
 static shortest_powers powers;
@@ -85,8 +86,7 @@ TEST(test_random) {
     uint64_t bits = SEED;
     for (int i = 0; i < 200000; i++) {
         double x;
-        bits = bits * 6364136223846793005u + 1442695040888963407u;
-        uint64_t mixed = bits ^ bits >> 29;
+        uint64_t mixed = random_bits(&bits);
         memcpy(&x, &mixed, sizeof x);
         if (isfinite(x)) check(x);
         check((double)(int64_t)(mixed >> 40) / 1000);

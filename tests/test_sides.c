@@ -28,8 +28,8 @@ static struct { int rays, hits, self, left; } tally;
 /* A ray towards the surface's middle; returns whether it hits. */
 static int first_hit(uint64_t *seed, const algsurf_extent *extent, algsurf_hit *hit) {
     for (int k = 0; k < 3; k++) {
-        double aim = exact_random_unit(seed);
-        c.ray.direction[k] = exact_random_unit(seed);
+        double aim = random_unit(seed);
+        c.ray.direction[k] = random_unit(seed);
         c.ray.origin[k] = aim - 5 * c.ray.direction[k];
     }
     c.ray.t_min = 0, c.ray.t_max = INFINITY;
@@ -42,11 +42,11 @@ static void bounce(uint64_t *seed, const algsurf_hit *hit, int kind) {
     double along = 0, *d = c.ray.direction;
     for (int k = 0; k < 3; k++) {
         c.ray.origin[k] = hit->position[k];
-        if (kind == 1) c.ray.origin[k] = nextafter(hit->position[k], exact_random_int(seed, 2) ? 9 : -9);
-        d[k] = exact_random_unit(seed);
+        if (kind == 1) c.ray.origin[k] = nextafter(hit->position[k], random_int(seed, 2) ? 9 : -9);
+        d[k] = random_unit(seed);
     }
     for (int k = 0; k < 3; k++) along += d[k] * hit->normal[k];
-    double turn = kind == 2 ? (1 - ldexp(1, -10 - exact_random_int(seed, 40))) : 2 * (along * hit->side < 0);
+    double turn = kind == 2 ? (1 - ldexp(1, -10 - random_int(seed, 40))) : 2 * (along * hit->side < 0);
     for (int k = 0; k < 3; k++) d[k] -= turn * along * hit->normal[k];
 }
 
@@ -188,8 +188,8 @@ TEST(test_company) {
             for (int tries = 0; tries < 1000 && count < 64; tries++) {
                 if (!first_hit(&seed, &entry->extent, &hit)) continue;
                 bounce(&seed, &hit, tries % 3);
-                if (tries % 4 == 0) c.ray.t_max = exact_random_unit(&seed);
-                if (tries % 5 == 0) c.ray.t_min = 0.25 * exact_random_unit(&seed);
+                if (tries % 4 == 0) c.ray.t_max = random_unit(&seed);
+                if (tries % 5 == 0) c.ray.t_min = 0.25 * random_unit(&seed);
                 rays[count++] = c.ray;
             }
             for (int side = -1; side <= 1; side++) judge_company(&entry->extent, rays, count, side);

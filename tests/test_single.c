@@ -85,9 +85,9 @@ TEST(test_rays) {
         for (int i = 0; i < RAYS; i++) {
             double origin[3], direction[3], near = 0, far = INFINITY;
             for (int k = 0; k < 3; k++) {
-                origin[k] = entry->extent.centre[k] + 3 * entry->extent.size[0] * exact_random_unit(&random);
-                direction[k] = entry->extent.centre[k] - origin[k] +
-                               0.5 * entry->extent.size[0] * exact_random_unit(&random);
+                origin[k] = entry->extent.centre[k] + 3 * entry->extent.size[0] * random_unit(&random);
+                direction[k] =
+                    entry->extent.centre[k] - origin[k] + 0.5 * entry->extent.size[0] * random_unit(&random);
             }
             const algsurf_ray_packet rays = {.count = 1,
                                              .origin = {origin, origin + 1, origin + 2},

@@ -101,8 +101,8 @@ TEST(test_many_terms) {
     uint64_t state = seed;
     assert_non_null(terms);
     for (int t = 0; t < COUNT; t++) {
-        int place = exact_random_int(&state, PLACES);
-        terms[t] = (algsurf_term){place % 10, place / 10, 0, exact_random_wide(&state, -30, 30)};
+        int place = random_int(&state, PLACES);
+        terms[t] = (algsurf_term){place % 10, place / 10, 0, random_wide(&state, -30, 30)};
         sum[place] += terms[t].a;
     }
     algsurf_surface *s = surface_of_terms(terms, COUNT);

@@ -25,7 +25,7 @@ static const char *const equations[] = {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", "x
                                         "(x+y+z)^6 - 20 x^3 y + 3"};
 
 static double random_sign(uint64_t *seed) {
-    return exact_random_int(seed, 3) ? exact_random_int(seed, 3) - 1 : exact_random_unit(seed);
+    return random_int(seed, 3) ? random_int(seed, 3) - 1 : random_unit(seed);
 }
 
 /* A surface that c.surface, with the error, stands for. */
@@ -47,11 +47,11 @@ static algsurf_surface *with_error(double error) {
 }
 
 static void random_ray(uint64_t *seed) {
-    double distance = exact_random_int(seed, 2) ? 6 : 0;
-    for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_unit(seed);
-    for (int i = 0; i < 3; i++) c.ray.origin[i] = 2 * exact_random_unit(seed) - distance * c.ray.direction[i];
+    double distance = random_int(seed, 2) ? 6 : 0;
+    for (int i = 0; i < 3; i++) c.ray.direction[i] = random_unit(seed);
+    for (int i = 0; i < 3; i++) c.ray.origin[i] = 2 * random_unit(seed) - distance * c.ray.direction[i];
     c.ray.t_min = 0;
-    c.ray.t_max = exact_random_int(seed, 2) ? 8 : exact_random_int(seed, 2) ? 8 : INFINITY;
+    c.ray.t_max = random_int(seed, 2) ? 8 : random_int(seed, 2) ? 8 : INFINITY;
 }
 
 /* Certain answers of the surface with an error, single rays and a packet of one, held against its members. */
@@ -150,18 +150,16 @@ TEST(far_roots) {
     int certain = 0, judged = 0;
     for (int i = 0; i < 600; i++) {
         algsurf_term terms[4];
-        int n = 1 + exact_random_int(&seed, 3);
+        int n = 1 + random_int(&seed, 3);
         for (int k = 0; k <= n; k++)
-            terms[k] = (algsurf_term){k, 0, 0,
-                                      ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2060) - 1040)};
-        double error = errors[exact_random_int(&seed, 3)];
+            terms[k] = (algsurf_term){k, 0, 0, ldexp(random_unit(&seed), random_int(&seed, 2060) - 1040)};
+        double error = errors[random_int(&seed, 3)];
         if (!intersect_terms(&c, terms, n + 1)) continue;
         algsurf_surface *s = with_error(error);
-        double scale = ldexp(1, exact_random_int(&seed, 3) ? 0 : exact_random_int(&seed, 600) - 300);
-        c.ray =
-            (algsurf_ray){{exact_random_unit(&seed), 0, 0}, {scale * exact_random_unit(&seed), 0, 0}, 0, 0};
-        c.ray.t_min = exact_random_int(&seed, 3) ? -INFINITY : exact_random_unit(&seed);
-        c.ray.t_max = isinf(c.ray.t_min) && exact_random_int(&seed, 2) ? exact_random_unit(&seed) : INFINITY;
+        double scale = ldexp(1, random_int(&seed, 3) ? 0 : random_int(&seed, 600) - 300);
+        c.ray = (algsurf_ray){{random_unit(&seed), 0, 0}, {scale * random_unit(&seed), 0, 0}, 0, 0};
+        c.ray.t_min = random_int(&seed, 3) ? -INFINITY : random_unit(&seed);
+        c.ray.t_max = isinf(c.ray.t_min) && random_int(&seed, 2) ? random_unit(&seed) : INFINITY;
         judge(s, &seed, error, &certain);
         judged += 2 * MEMBERS;
         algsurf_surface_free(s);
@@ -186,7 +184,7 @@ TEST(values) {
         algsurf_surface *s = with_error(1e-3);
         for (int i = 0; i < 50; i++) {
             double x[3], v, bound, g[3], g_bound[3], own, own_g[3];
-            for (int k = 0; k < 3; k++) x[k] = 2 * exact_random_unit(&seed);
+            for (int k = 0; k < 3; k++) x[k] = 2 * random_unit(&seed);
             make_member(&seed, 1e-3);
             assert_ok(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound));
             assert_ok(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL));

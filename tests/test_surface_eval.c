@@ -123,8 +123,7 @@ TEST(test_ordinary_points) {
     uint64_t state = seed;
     for (int n = 0; n < 1500; n++) {
         algsurf_surface *s = surface_of_random_terms(&state, n % 50 == 0 ? 64 : 1 + n % 12, -12, 12);
-        double point[3] = {exact_random_unit(&state), 2 * exact_random_unit(&state),
-                           exact_random_unit(&state)};
+        double point[3] = {random_unit(&state), 2 * random_unit(&state), random_unit(&state)};
         if (n % 5 == 0) point[n % 3] = 0;
         assert_true(check_point(s, point));
         move_to_surface(s, point);
@@ -143,7 +142,7 @@ TEST(test_extreme_points) {
         algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 7, n % 3 ? -wide : -1074, wide);
         double point[3];
         int reach = n % 4 ? 1073 : 100;
-        for (int axis = 0; axis < 3; axis++) point[axis] = exact_random_wide(&state, -reach, reach - 50);
+        for (int axis = 0; axis < 3; axis++) point[axis] = random_wide(&state, -reach, reach - 50);
         in_range += check_point(s, point);
         algsurf_surface_free(s);
     }
@@ -167,7 +166,7 @@ TEST(test_natural_units) {
         algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 9, -40, 40);
         double natural[3], point[3], gradient[3], public_gradient[3], public_value;
         for (int axis = 0; axis < 3; axis++) {
-            natural[axis] = exact_random_wide(&state, -3, 1);
+            natural[axis] = random_wide(&state, -3, 1);
             point[axis] = ldexp(natural[axis], s->unit);
         }
         assert_ok(algsurf_surface_gradient(s, point, &public_value, public_gradient, NULL, NULL));

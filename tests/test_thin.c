@@ -93,8 +93,8 @@ static void random_camera(uint64_t *seed, double far, const double look[3], doub
                           algsurf_camera *camera) {
     double eye[3], up[3], length = 0;
     for (int i = 0; i < 3; i++) {
-        eye[i] = exact_random_unit(seed);
-        up[i] = exact_random_unit(seed);
+        eye[i] = random_unit(seed);
+        up[i] = random_unit(seed);
         length += eye[i] * eye[i];
     }
     for (int i = 0; i < 3; i++) eye[i] = look[i] + far * eye[i] / sqrt(length);
@@ -127,8 +127,7 @@ TEST(points_are_one_dot) {
         for (int view = 0; view < 4 * views; view++) {
             const int size = sizes[view % 4];
             double look[3]; /* in the middle of a pixel or between four, or anywhere */
-            for (int i = 0; i < 3; i++)
-                look[i] = points[n].at[i] + (view < 8 ? 0 : 0.5 * exact_random_unit(&seed));
+            for (int i = 0; i < 3; i++) look[i] = points[n].at[i] + (view < 8 ? 0 : 0.5 * random_unit(&seed));
             algsurf_camera camera;
             random_camera(&seed, view % 3 ? 7 : 40, look, view % 3 ? 40 : 6, view % 5 == 4, &camera);
             algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
@@ -361,7 +360,7 @@ TEST(others_have_nothing_thin) {
             double look[3], radius = extent.size[0], far = distances[view % 4] * radius;
             algsurf_camera camera;
             for (int i = 0; i < 3; i++)
-                look[i] = extent.centre[i] + (view % 3 ? 0.5 * radius * exact_random_unit(&seed) : 0);
+                look[i] = extent.centre[i] + (view % 3 ? 0.5 * radius * random_unit(&seed) : 0);
             random_camera(&seed, far, look, 114.6 * atan(fmin(1.1 * radius / far, 1)), view % 7 == 6,
                           &camera);
             algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
@@ -487,7 +486,7 @@ TEST(samples_make_lines_smooth) {
     for (int view = 0; view < 2 * views; view++) {
         algsurf_camera camera;
         const int n = sides[view % 3];
-        const double slope = 0.9 * exact_random_unit(&seed), eye[3] = {2 * slope, -7, 3};
+        const double slope = 0.9 * random_unit(&seed), eye[3] = {2 * slope, -7, 3};
         assert_ok(algsurf_camera_pinhole(eye, (double[]){0, 1, 0.5}, (double[]){1, 0, slope}, 40, &camera));
         algsurf_scene *scene = scene_of(surface, &l->extent, &camera, NULL);
         assert_ok(algsurf_scene_set_thin(scene, red));
