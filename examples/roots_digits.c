@@ -158,6 +158,16 @@ static double log10_of(algsurf_integer z, int exponent) {
            (down + (double)exponent) * 0.3010299956639812;
 }
 
+/* The exponent of the first digit of a number that is not 0: what its logarithm says, or one less. */
+static long long first_place(algsurf_integer z, int exponent) {
+    const long long place = (long long)floor(log10_of(z, exponent) + 0x1p-20);
+    const algsurf_integer size = {z.limbs, abs(z.length)};
+    char *units = decimal(size, 0, exponent, -place, -1, 0);
+    const int none = units && strcmp(units, "0") == 0;
+    free(units);
+    return place - none;
+}
+
 static int write_part(algsurf_integer z, const algsurf_precise_root *r, long long places, roots_decimals *d) {
     const int radius = z.length == 0 && r->real ? 0 : r->radius;
     d->value = decimal(z, 0, r->exponent, places, 0, radius == 0);
@@ -167,8 +177,9 @@ static int write_part(algsurf_integer z, const algsurf_precise_root *r, long lon
 }
 
 int roots_digits(const algsurf_precise_root *root, int digits, roots_decimals *re, roots_decimals *im) {
-    double most = fmax(log10_of(root->re, root->exponent), log10_of(root->im, root->exponent));
-    long long places = isfinite(most) ? digits - 1 - (long long)floor(most) : digits;
+    double x = log10_of(root->re, root->exponent), y = log10_of(root->im, root->exponent);
+    const algsurf_integer *larger = x > y ? &root->re : &root->im;
+    long long places = isfinite(fmax(x, y)) ? digits - 1 - first_place(*larger, root->exponent) : digits;
     *re = *im = (roots_decimals){NULL, NULL, NULL};
     return write_part(root->re, root, places, re) && write_part(root->im, root, places, im);
 }

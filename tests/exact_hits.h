@@ -323,7 +323,7 @@ static inline int exact_is_long(const algsurf_extent *extent, const algsurf_plan
         for (int i = 0; i < 3; i++)
             size += fabs(planes[k].normal[i]) * (fabs(ray->origin[i]) + reach * fabs(ray->direction[i]));
         closer[k] = planes[k], closer[k].offset -= ldexp(size, -36);
-        if (!isfinite(closer[k].offset) || size == 0) return 0;
+        if (!isfinite(closer[k].offset) || size < 0x1p-900) return 0;
     }
     return algsurf_ray_clip(ray, &inner, closer, plane_count, &part, &meets) == ALGSURF_OK && meets &&
            part.t_max - part.t_min >= fmax(ldexp(reach, -36), 0x1p-900);

@@ -29,6 +29,9 @@ static inline uint64_t random_bits(uint64_t *state) {
     return random_mix(*state ^ random_mix(random_salt)); /* 0 stays 0 */
 }
 
+/* How often cases come up in the sequences of the tests' own seeds. */
+#define assert_often(condition) assert_true(random_salt || (condition))
+
 /* Uniform in [-1,1]. */
 static inline double random_unit(uint64_t *state) { return (double)(int64_t)random_bits(state) * 0x1p-63; }
 

@@ -67,6 +67,7 @@ static void set_planes(algsurf_plane *planes, size_t count, uint64_t *seed) {
 /* Through a hit of the uncut surface, or an ulp beside it, as far as doubles can tell. */
 static void move_to_hit(algsurf_plane *plane, const algsurf_hit *hit, uint64_t *seed) {
     const double *n = plane->normal, *x = hit->position;
+    if (!isfinite(n[0] * x[0] + n[1] * x[1] + n[2] * x[2])) return;
     plane->offset = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
     if (random_int(seed, 3) == 0) plane->offset = nextafter(plane->offset, random_unit(seed));
 }

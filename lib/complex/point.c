@@ -8,9 +8,11 @@
 
 #define MOST_BITS ((int64_t)1 << 26) /* of a point: more is no memory */
 
-static algsurf_limb no_limb;
-const algsurf_i_point algsurf_i_origin = {
-    .x = &no_limb, .y = &no_limb, .w = 1, .head = {.exponent = ALGSURF_SCALED_NONE}};
+static const algsurf_limb no_limb = 0;
+const algsurf_i_point algsurf_i_origin = {.x = (algsurf_limb *)&no_limb,
+                                          .y = (algsurf_limb *)&no_limb,
+                                          .w = 1,
+                                          .head = {.exponent = ALGSURF_SCALED_NONE}};
 
 /* Room for `limbs` in each part of a point, what is in it lost. */
 static int make_room(algsurf_memory *m, algsurf_i_point *z, int limbs) {

@@ -106,8 +106,11 @@ int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsur
                          algsurf_i_chord *chord) {
     for (size_t i = 0; i < count; i++) {
         const crossing c = crossing_of(planes + i, ray);
-        int side = is_steep(&c) ? 1 : side_along(&c, chord);
         if (is_steep(&c)) narrow(&c, chord);
+    }
+    for (size_t i = 0; i < count; i++) { /* then, as what is kept along a ray depends on how long that is: */
+        const crossing c = crossing_of(planes + i, ray);
+        int side = is_steep(&c) ? 1 : side_along(&c, chord);
         if (side < 0) return 0;
         if (side == 0) {
             chord->inner_lo = HUGE_VAL;
