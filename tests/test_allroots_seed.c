@@ -39,11 +39,21 @@ TEST(test_approximates) {
             }
             if (!(distance(z, c.root[i]) <= 1e-15 * fmax(1, hypot(z.re, z.im)) && off <= 1e-14 * most)) {
                 seed_print("p", c.p, c.n + 1), seed_print("z", &z, 1), seed_print("q", q, c.n);
-                fail_msg("seed %llu", (unsigned long long)SEED);
+                fail_msg("seed %llu: %g, %g of %g", (unsigned long long)SEED, distance(z, c.root[i]), off,
+                         most);
             }
             assert_true(q[c.n - 1].re == 1 && q[c.n - 1].im == 0);
         }
     }
+}
+
+/* The root 0, which only underflow reaches, leaves the other coefficients as they are. */
+TEST(test_quotient_of_zero) {
+    const algsurf_complex p[] = {{0, 0}, {316, 188}, {244, -128}, {13, -75}, {-4, 1}, {0, 4}, {1, 0}};
+    algsurf_complex z, q[6];
+    assert_ok(algsurf_paper_approximation(p, 6, (algsurf_complex){0.01, 0.02}, NULL, &z, q, NULL));
+    assert_true(z.re == 0 && z.im == 0);
+    assert_memory_equal(q, p + 1, sizeof q);
 }
 
 /* p(2^b X) 2^a has the roots 2^-b x: the same bits, the same steps.  (Not so for the root 0, which only
@@ -227,7 +237,7 @@ TEST(test_inclusions_are_true) {
     }
     print_message("%d of %d near simple roots verified, %d of 4000 in all\n", good, tried, verified);
     assert_true(good == tried && tried > 1000 && verified < 4000);
-    assert_true(verified > 3850);
+    assert_often(verified > 3850);
 }
 
 /* Every coefficient is off by all of its radius, the leading one too; the old root is in the new box. */
@@ -257,7 +267,7 @@ TEST(test_radii) {
         }
         for (int k = 0; unique && k < c.n; k++) assert_true(seed_in(Q[k], exact[k]));
     }
-    assert_true(verified > 900);
+    assert_often(verified > 900);
 }
 
 TEST(test_boxes_are_tight) {

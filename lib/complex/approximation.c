@@ -159,6 +159,19 @@ static algsurf_complex held(algsurf_complex z, int k) {
     return (algsurf_complex){fmax(fmin(z.re, DBL_MAX), -DBL_MAX), fmax(fmin(z.im, DBL_MAX), -DBL_MAX)};
 }
 
+/* q in the caller's unit.  What is lost in that of a tiny z is what Horner's scheme gives: rounded alone, as
+ * z changes it little. */
+static void give_quotient(const iteration *it, algsurf_complex z, algsurf_complex *q) {
+    q[it->n - 1] = it->p[it->n];
+    for (int i = it->n - 2; i >= 0; i--) {
+        const int shift = it->exponent - (i + 1) * it->unit;
+        if (shift > 800 && algsurf_i_size(it->q[i]) < 0x1p-900)
+            q[i] = held(plus(it->p[i + 1], times(z, q[i + 1])), 0);
+        else
+            q[i] = held(it->q[i], shift);
+    }
+}
+
 algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, algsurf_complex start,
                                              const algsurf_paper_options *options, algsurf_complex *z,
                                              algsurf_complex *q, int *steps) {
@@ -173,8 +186,7 @@ algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, al
         count += last != FAILED;
     }
     *z = held(it.y, it.unit);
-    for (int i = 0; i < n - 1; i++) q[i] = held(it.q[i], it.exponent - (i + 1) * it.unit);
-    q[n - 1] = p[n];
+    give_quotient(&it, *z, q);
     *steps = count;
     return last == CONVERGED && algsurf_i_finite(algsurf_i_shift(it.y, it.unit)) ? ALGSURF_OK
                                                                                  : ALGSURF_NOT_CONVERGED;
