@@ -342,7 +342,8 @@ TEST(the_interface) {
     const uint64_t two_limb = 2, zero = 0;
     const algsurf_integer c[3] = {{&zero, 1}, {&two_limb, -1}, {&two_limb, 1}},
                           nothing[2] = {{NULL, 0}, {&zero, 1}};
-    const algsurf_integer bad[1] = {{NULL, 1}}, huge[1] = {{&zero, ALGSURF_MAX_LIMBS + 1}};
+    static const uint64_t zeros[ALGSURF_MAX_LIMBS + 1];
+    const algsurf_integer bad[1] = {{NULL, 1}}, huge[1] = {{zeros, ALGSURF_MAX_LIMBS + 1}};
     algsurf_complex_root e[2];
     int count = -1;
     assert_int_equal(algsurf_complex_roots_integers(NULL, NULL, 2, e, &count), ALGSURF_E_ARGUMENT);
@@ -351,6 +352,8 @@ TEST(the_interface) {
     assert_int_equal(algsurf_complex_roots_integers(c, NULL, 2, e, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_integers(bad, NULL, 0, e, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_integers(huge, NULL, 0, e, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_integers(huge, c + 1, 0, e, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_integers(c + 1, huge, 0, e, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_integers(nothing, nothing, 1, e, &count), ALGSURF_E_ZERO);
     assert_int_equal(count, -1);
     assert_int_equal(algsurf_complex_roots_integers(c + 1, nothing, 0, e, &count), ALGSURF_OK);

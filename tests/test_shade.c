@@ -385,6 +385,8 @@ TEST(bad_samples) {
         refuse_sample(&light, 0, 0, ALGSURF_E_NOT_FINITE);
         light = good, light.colour[i] = NAN;
         refuse_sample(&light, 0, 0, ALGSURF_E_NOT_FINITE);
+        light = good, light.position[i] = light.edge_u[i] = 0x1.8p1023; /* their sum overflows */
+        refuse_sample(&light, 2, 0, ALGSURF_E_NOT_FINITE);
         light = good, light.colour[i] = -0x1p-1074;
         refuse_sample(&light, 0, 0, ALGSURF_E_ARGUMENT);
         light = good, light.colour[i] = 1000.001;

@@ -236,7 +236,7 @@ typedef struct algsurf_complex_space {
  *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
  *          change the time, not the answer
  *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
- *          with; if fewer are found, the others are NaN, which as start values are allowed and do nothing
+ *          with; if fewer are found, the others are NaN, which as start values do nothing.  May be start
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
  *          normal of the surface that is shown, which consists of the points origin + |t| direction for all
  *          directions from that origin.  If t and p'(t) are real it has the direction of P's gradient.

@@ -69,7 +69,7 @@ typedef struct algsurf_lighting {
 
 /* Position of sample (a,b) of a light, 0 <= a < samples_u, 0 <= b < samples_v.
  * Errors: E_ARGUMENT (also a colour out of range, an unknown kind, and a light with 0, 0 samples),
- * E_NOT_FINITE (the light).  Since 1.0. */
+ * E_NOT_FINITE (the light, or the position overflows).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
 /* The colour of a point, as pictures of standard and full quality show it.  The formula is this version's; a

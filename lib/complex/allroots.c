@@ -121,8 +121,13 @@ static int has_lead(const algsurf_i_integers *z) {
 
 /* ---- integers ---- */
 
+static int is_good(const algsurf_integer *z) {
+    if (z->length < -ALGSURF_MAX_LIMBS || z->length > ALGSURF_MAX_LIMBS) return 0;
+    return z->length == 0 || z->limbs;
+}
+
 static int is_none(const algsurf_integer *z) {
-    return z->length == 0 || (z->limbs && algsurf_z_length(z->limbs, abs(z->length)) == 0);
+    return z->length == 0 || algsurf_z_length(z->limbs, abs(z->length)) == 0;
 }
 
 static algsurf_status read_integers(const algsurf_integer *re, const algsurf_integer *im, int degree,
@@ -131,14 +136,14 @@ static algsurf_status read_integers(const algsurf_integer *re, const algsurf_int
     if (status != ALGSURF_OK) return status;
     *s = (problem){.z = {re, im}, .high = -1, .low = degree, .real = 1};
     int turned = im != NULL; /* i times real ones have the same roots */
-    for (int k = 0; k <= degree; k++) turned = turned && is_none(re + k);
+    for (int k = 0; k <= degree; k++) {
+        if (!is_good(re + k) || (im && !is_good(im + k))) return ALGSURF_E_ARGUMENT;
+        turned = turned && is_none(re + k);
+    }
     if (turned) s->z[0] = im, s->z[1] = NULL;
     for (int i = 0; i < 2; i++)
         for (int k = 0; s->z[i] && k <= degree; k++) {
-            const algsurf_integer *z = s->z[i] + k;
-            if (z->length < -ALGSURF_MAX_LIMBS || z->length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
-            if (z->length && !z->limbs) return ALGSURF_E_ARGUMENT;
-            if (is_none(z)) continue;
+            if (is_none(s->z[i] + k)) continue;
             if (i) s->real = 0;
             if (s->low > k) s->low = k;
             if (s->high < k) s->high = k;

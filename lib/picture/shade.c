@@ -116,14 +116,16 @@ void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position
 /* ---- the public functions ---- */
 
 static algsurf_status sample(const algsurf_light *light, int a, int b, double position[3]) {
-    double place[2];
+    double place[2], made[3];
     algsurf_status status = check_light(light);
     if (status != ALGSURF_OK) return status;
     if (!position || a < 0 || b < 0 || a >= light->samples_u || b >= light->samples_v)
         return ALGSURF_E_ARGUMENT;
     algsurf_i_light_place(light, a, b, place);
     for (int i = 0; i < 3; i++)
-        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
+        made[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
+    if (!algsurf_is_finite3(made)) return ALGSURF_E_NOT_FINITE;
+    for (int i = 0; i < 3; i++) position[i] = made[i];
     return ALGSURF_OK;
 }
 

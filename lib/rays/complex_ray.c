@@ -267,7 +267,8 @@ static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_
     return status;
 }
 
-/* hit, root and roots are those of a miss so far.  Apart, as most rays that miss need none of its memory. */
+/* hit and root are those of a miss so far; roots may be start.  Apart, as most rays that miss need none of
+ * its memory. */
 static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots,
                                    algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
@@ -277,6 +278,7 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
     if (status != ALGSURF_OK) {
         q->without_memory = status == ALGSURF_E_NO_MEMORY;
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
+        give_roots(q, NULL, 0, roots);
         return;
     }
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
@@ -325,10 +327,11 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     q.without_memory = *iterations = 0;
     algsurf_i_set_miss(hit, 0);
     if (root) *root = (algsurf_complex){NAN, NAN};
-    give_roots(&q, NULL, 0, roots);
     if (!algsurf_i_has_points(q.front.t_min, q.front.t_max) ||
-        !algsurf_i_region_chord(region, &q.front, &q.chord))
+        !algsurf_i_region_chord(region, &q.front, &q.chord)) {
+        give_roots(&q, NULL, 0, roots);
         return ALGSURF_OK;
+    }
     q.ray.t_min = q.chord.lo;
     q.ray.t_max = q.chord.hi;
     solve(&q, start, roots, hit, root, iterations);

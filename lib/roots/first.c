@@ -117,7 +117,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
                : status < 0                                ? ALGSURF_FIRST_ROOT_REFUSED
                : found                                     ? ALGSURF_FIRST_ROOT_FOUND
                                                            : ALGSURF_FIRST_ROOT_NONE;
-    if (root) root[i] = where;
+    if (root) root[i] = status < 0 ? HUGE_VAL : where;
     return status < 0 ? status : ALGSURF_OK;
 }
 
