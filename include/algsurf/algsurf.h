@@ -15,8 +15,8 @@
  * Binary compatibility.  A program compiled against 1.0 runs with every later 1.x:
  *   functions      stay, with their parameters and what they promise; new ones are marked "Since";
  *   sized structs  those whose first member is their size may grow at the end.  Callers set size to sizeof
- *                  and what they do not use to 0, as {.size = sizeof options, ...} does: 0 is the default, or
- *                  the member's comment says that it is required.  What an older caller's struct lacks counts
+ *                  and what they do not use to 0, as {.size = sizeof options, ...} does: 0 is the default,
+ *                  unless the member's comment requires a value.  What an older caller's struct lacks counts
  *                  as 0.  A newer caller's larger struct, of 4096 bytes at most, is taken if the bytes that
  *                  the library does not know are 0.  Every other size is E_SIZE.  Of _stats,
  *                  and of the _lighting that a scene fills, only the size is read, and bytes that the library
@@ -27,7 +27,7 @@
  *                  structs are int.  A camera or a light grows by new kinds, which may use its reserved
  *                  numbers;
  *   algsurf_cell   is made by the library only, and may grow at its end;
- *   handles        (a surface, a scene, a solver) are opaque;
+ *   handles        (a surface, a scene, a solver, precise roots) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
  *                  refusal, an unknown positive one means undecided or stopped early;
  *   limits         ALGSURF_MAX_DEGREE, _MAX_POLY_DEGREE and _MAX_LIGHTS stay: programs size arrays by them.

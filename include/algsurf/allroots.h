@@ -32,10 +32,10 @@ typedef struct algsurf_complex_root {
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
  * If the lowest coefficients are exactly 0, the root 0 is exact.  Without radii (null, or all 0) each
- * different root has a box of its own, with its exact multiplicity, unless no doubles tell it from another.
- * A box is at most two units in the last place wide, units of the larger of its two parts.  Real roots of
- * real polynomials are proved real, the others are in exactly conjugate boxes.  With radii, roots that these
- * do not part share a box.  Entries are in increasing order of root.re, then of root.im.
+ * different root has a box of its own, with its exact multiplicity, unless doubles cannot separate it from
+ * another.  A box is at most two units in the last place of its larger part wide.  Real roots of real
+ * polynomials are proved real, the others are in exactly conjugate boxes.  With radii, roots that cannot be
+ * separated share a box.  Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
@@ -87,7 +87,7 @@ typedef struct algsurf_precise_root {
  * Guarantee: each different root is there once, with its exact multiplicity, in a box of its own: verified.
  * Roots of real polynomials are proved real, or come in exactly conjugate pairs.  They are in increasing
  * order of re, then of im.
- * Returns OK; or NOT_CONVERGED, where 1000 steps have not parted the roots, which is not known to happen:
+ * Returns OK; or NOT_CONVERGED, if 1000 steps have not separated the roots, which is not known to happen:
  * nothing is written then.
  * Errors: E_ARGUMENT (null, bits, limbs as above), E_DEGREE, E_ZERO, E_NO_MEMORY.
  * Cost: beside that of algsurf_complex_roots_integers, about twice degree^2 (bits / 64)^2 products of words.
@@ -103,9 +103,9 @@ ALGSURF_API algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots
 /* Releases roots, and the limbs of each; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_precise_roots_free(algsurf_precise_roots *roots);
 
-/* ---- a solver with its own memory ---- */
+/* ---- a solver: start values, and what a solve took ---- */
 
-/* Work memory for repeated calls of high degree; not to be used by two threads at once. */
+/* It may keep work memory from one call to the next; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 
 /* What a solve took, in this version. */

@@ -35,7 +35,7 @@ typedef struct algsurf_real_batch {
     size_t count;               /* of polynomials; pointers may be null when it is 0 */
     int degree;                 /* a bound, 0..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
     algsurf_table coefficients; /* in the power basis */
-    algsurf_table radii;        /* of the coefficients; at null: they are exact */
+    algsurf_table radii;        /* of the coefficients; if `at` is null, these are exact */
     const double *lo, *hi;      /* polynomial i: lo[i * interval_step] <= hi[i * interval_step]; lo null: -inf
                                    for all; hi null: +inf for all */
     ptrdiff_t interval_step;    /* in doubles; 0: one interval for all */
@@ -103,8 +103,8 @@ typedef struct algsurf_complex_batch {
     size_t count;        /* of polynomials; pointers may be null when it is 0 */
     int degree;          /* a bound, 0..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
     algsurf_table re;    /* real parts of the coefficients */
-    algsurf_table im;    /* imaginary parts; at null: the coefficients are real */
-    algsurf_table radii; /* of the coefficients; at null: they are exact */
+    algsurf_table im;    /* imaginary parts; if `at` is null, the coefficients are real */
+    algsurf_table radii; /* of the coefficients; if `at` is null, these are exact */
 } algsurf_complex_batch;
 
 /* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (no

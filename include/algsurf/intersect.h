@@ -50,20 +50,20 @@ typedef struct algsurf_hit {
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
     int side; /* hit: the sign of P just before it on the ray, -1 or 1; 0 with multiplicity 0.  Miss: the sign
-                 of P on the ray in the extent, behind all hits that the option `side` passes by; 0 if the
-                 ray has no part there, or rounding hides the sign.  Undecided: 0.  In complex space: 0 */
+                 of P on the ray in the extent, behind all hits that the option `side` skips; 0 if the ray
+                 has no part there, or rounding hides the sign.  Undecided: 0.  In complex space: 0 */
     double t; /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
                            interval is as a rule some 100 units in the last place wide (the effect of
                            rounding P), else it is the one that isolates the hit.  Doubles decide simple
-                           roots, and, where P = c Q^k, what is simple for Q.  Coefficients that are
-                           known up to an error widen it.  Undecided: there may be a hit in it, or none */
+                           roots, and, where P = c Q^k, simple roots of Q.  Coefficients that are known
+                           up to an error widen it.  Undecided: there may be a hit in it, or none */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P at the position, unit length, its direction to 10^-4 degrees,
-                           however P's terms cancel.  At a singular point, or so near to one that the
-                           position's last bits tell the direction, it is that of a point shortly before it on
-                           the ray.  All 0 if there is none either (a ray in the surface) or no memory */
+                           however P's terms cancel.  At a singular point, or so near to one that rounding
+                           the position changes the direction, it is the normal at a point shortly before it
+                           on the ray.  All 0 if that has none (a ray in the surface), or without memory */
 } algsurf_hit;
 
 /* How rays are intersected. */
@@ -85,10 +85,10 @@ typedef struct algsurf_intersect_options {
     const algsurf_plane *planes; /* what is shown is the part of the extent that all of these keep; null: all
                                     of it.  The guarantees stay the same, and a point on a plane is kept */
     size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */
-    int side; /* -1, 1: only hits before which P has this sign count, others are passed through; 0: all do.  A
-                 ray that starts at a hit's position (on either side, by rounding) needs no epsilon: give the
-                 sign of normal . direction, the side it leaves to.  A ray that lies in the surface has no
-                 such hit.  In pictures 0 is required */
+    int side; /* 0: all hits count.  -1, 1: only those before which P has this sign; others are skipped.  So a
+                 ray that starts at a hit's position (which rounding puts on either side) needs no epsilon:
+                 give the sign of normal . direction, the side it leaves to.  A ray that lies in the surface
+                 has no such hit.  In pictures 0 is required */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
@@ -113,10 +113,10 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Errors: E_ARGUMENT (null, zero direction, bad extent or options, a plane with normal 0), E_NOT_FINITE
  * (origin, direction, NaN t, extent, planes, options), E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
- * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
- * only beyond degree 10 or so.  If P is exactly c Q^k, with coefficients of Q below 2^53 in a common unit, a
- * ray takes the time of Q, unless an observer watches it or `side` asks for a sign that P has nowhere.  42 KiB
- * of stack.  Since 1.0. */
+ * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate only beyond degree
+ * 10 or so.  If P is exactly c Q^k, with coefficients of Q below 2^53 in a common unit, a ray takes the time
+ * of Q, unless an observer watches it or `side` asks for a sign that P has nowhere.  42 KiB of stack.  Since
+ * 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
@@ -150,8 +150,8 @@ ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, cons
  *   ray, hit  as given to algsurf_intersect_first, and as it returned them
  *   side      hit->side is the side that the ray comes from, -hit->side, as a rule, the one that it goes to
  *   start     the point: off the position along the normal (where that is 0: along the ray), by 2^-53 to
- *             2^-20 times the larger of |position| and a scale of the surface.  As a rule it is as far as it
- *             takes that doubles decide rays from there, some 2^-40
+ *             2^-20 times the larger of |position| and a scale of the surface.  It is, as a rule, some 2^-40:
+ *             far enough for doubles to decide rays from there
  * Guarantee: the sign of P at start is `side`: verified.  Returns OK; or NOT_VERIFIED if there is no such
  * point so near, as beyond a double root: start is untouched then.
  * Errors: E_ARGUMENT (null, side not -1 or 1, a hit whose state is not ALGSURF_STATE_HIT, bad ray),
@@ -188,19 +188,19 @@ typedef struct algsurf_hit_packet {
 
 /* The first hit of each ray of a packet inside the extent, as algsurf_intersect_first returns it.
  *   rays     any number of them; they cost least if neighbours are similar
- *   options  as for one ray, and a kernel.  With another method than the default, or a limit of iterations,
- *            the rays are solved one by one; a tolerance makes packets no faster
+ *   options  as for one ray, without an observer.  With another method than the default, or a limit of
+ *            iterations, the rays are solved one by one; a tolerance makes packets no faster
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
- * Errors: those of the single call for extent and options, and E_ARGUMENT (null, doubles and floats at once):
- * nothing is written.  A bad ray is REFUSED, its reason the error of the single call, the rest that of a
- * miss.  E_NO_MEMORY: rays that could not be decided for want of memory are UNDECIDED, whatever undecided_as
- * says, their reason UNDECIDED_RANGE, [t_lo, t_hi] the whole ray.  In both cases all others are
- * answered, and the first such error is returned.
+ * Errors: those of the single call for extent and options, and E_ARGUMENT (null, an observer, doubles and
+ * floats at once): nothing is written.  A bad ray is REFUSED, its reason the error of the single call, the
+ * rest that of a miss.  E_NO_MEMORY: rays that lack memory are UNDECIDED, whatever undecided_as says, their
+ * reason UNDECIDED_RANGE, [t_lo, t_hi] the whole ray.  In both cases all others are answered, and the first
+ * such error is returned.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
- * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One
- * without an end is searched as far as the surface may reach, and no slower than in an extent that holds
- * that.  Packets with a step, floats or bad rays are copied piece by piece.
+ * side by side (AVX2, AVX-512).  A ray that doubles leave undecided costs a single call besides.  An endless
+ * ray is searched as far as the surface may reach, and is no slower than in an extent about the surface.
+ * Packets with a step, floats or bad rays are copied piece by piece.
  * Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's method;
  * all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,

@@ -61,7 +61,7 @@ ALGSURF_API algsurf_status algsurf_interval_div(algsurf_interval a, algsurf_inte
 ALGSURF_API algsurf_status algsurf_interval_pow(algsurf_interval a, int n, algsurf_interval *result);
 /* { sqrt(x) : x in a }.  Errors: E_ARGUMENT (null), E_RANGE (a.lo < 0). */
 ALGSURF_API algsurf_status algsurf_interval_sqrt(algsurf_interval a, algsurf_interval *result);
-/* { |x| : x in a }; its upper end is the size of what is largest in a. */
+/* { |x| : x in a }; its upper end is the largest magnitude in a. */
 ALGSURF_API algsurf_interval algsurf_interval_abs(algsurf_interval a);
 /* The least interval that holds both. */
 ALGSURF_API algsurf_interval algsurf_interval_hull(algsurf_interval a, algsurf_interval b);

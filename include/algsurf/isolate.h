@@ -49,7 +49,7 @@ typedef struct algsurf_real_root {
  * Errors: E_ARGUMENT (null, negative degree, lo > hi), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE), E_CAPACITY,
  * E_NOT_FINITE (coefficients, NaN as an end), E_ZERO (all are zero), E_NO_MEMORY: nothing is written.
  * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
- * 20, in integers of some hundred bits; only larger ones are allocated, 1 GiB at most.
+ * 20, in integers of some hundred bits; larger ones are allocated, 1 GiB at most.
  * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
  * greatest common divisors (Yun 1976).  56 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
@@ -58,7 +58,7 @@ ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, doubl
 /* The first (smallest) root in [lo,hi], for programs that call it often.  It gives the same bits as
  * algsurf_first_roots_batch.
  *   c       degree+1 coefficients, power basis, lowest first
- *   root    approximate: the error is at most 1e-12 of the interval's length and a rounding of the root;
+ *   root    approximate: the error is at most 1e-12 of the interval's length, plus a rounding of the root;
  *           ill-conditioned roots, and those in an interval with an infinite end, are those of
  *           algsurf_real_roots.  Untouched if there is none
  *   found   0: no root in [lo,hi]; 1: there is one, and none before it: verified
@@ -79,7 +79,7 @@ ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c,
 
 /* What is known of a place. */
 typedef enum algsurf_bracket_kind {
-    ALGSURF_BRACKET_ISOLATED = 0, /* lo < this root < hi, others only if these are neighbours: verified */
+    ALGSURF_BRACKET_ISOLATED = 0, /* this root is in (lo,hi), others only if these are neighbours: verified */
     ALGSURF_BRACKET_EXACT = 1,    /* lo = hi is a root exactly: verified */
     /* Only with radii: from 0 to `multiplicity` roots in [lo,hi] (the zero polynomial aside).  The number
      * differs among the polynomials of the set, or is not known; `status` says why. */
@@ -112,8 +112,8 @@ typedef struct algsurf_isolate_options {
  * Errors: E_ARGUMENT (null, bad options, negative degree, lo > hi, negative radius), E_DEGREE (above
  * ALGSURF_MAX_POLY_DEGREE), E_NOT_FINITE (coefficients, radii, NaN as an end), E_ZERO (all coefficients and
  * radii are zero), E_NO_MEMORY: nothing is written.
- * Cost: below a microsecond up to degree 10 where doubles decide (the degree is at most 64, roots are not of
- * very different sizes, nor too close to each other), else as algsurf_real_roots, with radii four times that;
+ * Cost: below a microsecond up to degree 10 where doubles decide (up to degree 64, if roots are neither of
+ * very different sizes nor too close to each other), else as algsurf_real_roots, with radii four times that;
  * O(degree^2) operations for each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB
  * at most.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,

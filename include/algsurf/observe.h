@@ -6,13 +6,13 @@
  * shown: without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the
  * ray.
  *
- * Which cells and points there are is this version's way to search: no promise but for what is said of each.
- * Roots are isolated in cells: intervals whose variations of sign are counted.  The search begins with one
- * cell or several, which cover the interval or parts of it, and may reach beyond its ends.  A
- * cell with two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all
- * without radii, each point of the interval lies in a cell without variations, which holds no root, or in one
- * with one variation, which holds one root, or on an end of these.  A search for the first root ends as soon
- * as that is isolated.
+ * Which cells and points there are may change with a version; what is said of each of them holds.  Roots are
+ * isolated in cells: intervals whose variations of sign are counted.  The search begins with one cell or
+ * several, which cover the interval or parts of it, and may reach beyond its ends.  A cell with two or more
+ * variations is cut, and both parts are cells.  At the end of algsurf_isolate_all without radii, each point
+ * of the interval lies in a cell without variations, which holds no root, or in one with one variation,
+ * which holds one root, or on an end of these.  A search for the first root ends as soon as that is
+ * isolated.
  *     Parts of the interval need no cells if something simpler shows where their roots are: a bound on the
  * roots, the signs of the coefficients, one term that exceeds all those of the other sign, or p_0 = 0.
  *     What doubles leave undecided is searched again in new cells, finally by integers, which always decide.

@@ -2,10 +2,10 @@
  *
  * Root by root: Approximation, IntervalIteration, deflation, together AllCPolyZeros (after Hammer, Hocks,
  * Kulisch, Ratz 1995).  They can fail, as published: multiple roots are never verified, close ones seldom.
- * allroots.h finds all roots of any polynomial; these algorithms are here for comparison, and for who wants
- * one root, or the deflated polynomial.  What the papers say of pictures is algsurf_scene_set_coherence
- * (render.h). Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q
- * enclosures. Coefficients, and radii, are as in allroots.h.
+ * allroots.h finds all roots of any polynomial; these algorithms are here for comparison, and for those who
+ * want one root, or the deflated polynomial.  What the papers say of pictures is algsurf_scene_set_coherence
+ * (render.h).  Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q
+ * enclosures.  Coefficients, and radii, are as in allroots.h.
  */
 #ifndef ALGSURF_PAPERS_H
 #define ALGSURF_PAPERS_H
@@ -33,7 +33,7 @@ typedef struct algsurf_paper_options {
  *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
  *   steps   number of steps made; may be null
  * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
- * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT (null, degree
+ * too many steps, at a vanishing derivative, or if z or q overflows.  Errors: E_ARGUMENT (null, degree
  * below 1, p[degree] = 0, bad options), E_DEGREE, E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer,
  * Hocks, Kulisch, Ratz 1995, ch. 9; Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.
  * 44 KiB of stack.  Since 1.0. */

@@ -10,8 +10,8 @@ extern "C" {
 #endif
 
 /* The points origin + t direction, t_min <= t <= t_max, both ends included.  The direction need not
- * have unit length, t is measured in multiples of it.  t_min may be negative, either may be
- * infinite; t_min > t_max is a ray without points: everything misses it. */
+ * have unit length, t is measured in multiples of it.  t_min may be negative, and either end infinite.  With
+ * t_min > t_max the ray has no points, and misses everything. */
 typedef struct algsurf_ray {
     double origin[3];    /* finite */
     double direction[3]; /* finite, not all zero */
@@ -35,8 +35,8 @@ typedef struct algsurf_extent {
 /* How many planes may cut what is shown. */
 #define ALGSURF_MAX_CLIP_PLANES 8
 
-/* A cutting plane: what is shown keeps the closed half space normal . X <= offset, and loses the rest.  The
- * doubles are taken as exact.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
+/* A cutting plane: of what is shown only the part in the closed half space normal . X <= offset is kept.  The
+ * doubles are taken as exact. */
 typedef struct algsurf_plane {
     double normal[3]; /* of any length; finite, not all zero */
     double offset;    /* finite */
@@ -45,17 +45,17 @@ typedef struct algsurf_plane {
 /* The part of a ray that is inside an extent and kept by all planes: a ray with the same origin and
  * direction, t_min and t_max narrowed.
  *   extent          null: all of space
- *   planes, count   as algsurf_scene_set_clip takes them; null with count 0: no planes
+ *   planes, count   at most ALGSURF_MAX_CLIP_PLANES; null with count 0: no planes
  *   chord           receives the narrowed ray; may be the same object as ray
  *   meets           1: the chord has points; 0: it has none, and chord is not written
  * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes has its t in
  * [chord->t_min, chord->t_max], all doubles taken as exact; if there is such a point, meets is 1.  So the
  * hits on the ray are those on the chord, with the same extent and planes.  The chord is hardly longer than
- * that part of the ray: ends of the ray that are inside stay as they are, and other points of the chord leave
- * a box along axis i by at most
+ * that part of the ray.  Ends of the ray that are inside stay as they are.  No point of the chord is outside
+ * a box, along axis i, by more than
  *     e_i = 2^-42 (|origin_i| + |centre_i| + size_i),
- * a ball by at most the largest e_i, with its radius as each size_i, and a plane (by normal . X - offset) by
- * at most
+ * outside a ball by more than the largest e_i, each size_i being the radius, or beyond a plane, measured by
+ * normal . X - offset, by more than
  *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
  * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)
  * Errors: E_ARGUMENT (null, zero direction, unknown kind, size not positive, more than

@@ -6,9 +6,9 @@
  * The default method for polynomials knows every sign that it uses: it computes a value in about doubled
  * precision, with an error bound; if that leaves the sign open, it computes with integers.  So its bracket
  * always holds the root, and shrinks to two units in the last place.  The other methods, asked for by name,
- * are as in textbooks: they evaluate by Horner's rule in double and use the signs that come out.  Where the
- * value is lost in rounding, overflow or underflow they miss the root, call a computed 0 a root, or refuse a
- * bracket whose signs look equal.
+ * are as in textbooks: they evaluate by Horner's rule in double and use the signs that come out.  Where
+ * rounding, overflow or underflow hides the value, they may miss the root, take a computed 0 for a root, or
+ * refuse a bracket whose signs look equal.
  */
 #ifndef ALGSURF_REFINE_H
 #define ALGSURF_REFINE_H
@@ -44,7 +44,7 @@ typedef struct algsurf_refine_options {
 
 /* A refined root, and what it took. */
 typedef struct algsurf_refined_root {
-    double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
+    double root;     /* the end of [lo,hi] with the smaller |f|, or a zero that was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
     double residual; /* f(root), as computed.  By the default method for polynomials its sign is certain, and
                         0 means that `root` is a root */
@@ -74,7 +74,8 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
                                                    algsurf_refined_root *result);
 
 /* The same for a polynomial in the power basis.
- *   c, r     degree+1 coefficients, lowest first; radii, or null, as all methods but the default require
+ *   c, r     degree+1 coefficients, lowest first; radii or null (null for all methods but the default).  The
+ *            zero polynomial is accepted, without radii: every number is a root
  *   options  null: all defaults
  * By the default method:
  * - encloses: the final bracket holds a root of the exact polynomial: verified.  With absolute_tolerance 0

@@ -265,9 +265,8 @@ typedef struct algsurf_picture {
  * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
  * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
  * pixel is in the whole picture.  These numbers, and how directions are chosen, are this version's.
- * Returns OK; CANCELLED (finished rows, any of them, are valid, others untouched; stats counts what was done.
- * It is returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as
- * undecided).
+ * Returns OK; CANCELLED (rows that were finished, which may be any, are valid, others untouched; stats counts
+ * what was done.  Rays that lacked memory are counted as undecided: E_NO_MEMORY is not returned then).
  * Errors: E_ARGUMENT (null; an option, stride, or format out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
  * these count as undecided, everything else is drawn, and stats is written), E_THREAD (a lock could not be

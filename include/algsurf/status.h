@@ -18,8 +18,8 @@
  *   sizes           structs that begin with their own size (algsurf.h): E_SIZE if that is less than the
  *                   struct had in 1.0, or above 4096 bytes, or if an input has bytes that are not 0 beyond
  *                   what this version knows;
- *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; so does
- *                   the data of a callback;
+ *   parameters      pointers are required where null is not said to be allowed: E_ARGUMENT.  Outputs stand
+ *                   last; the last parameter of a callback is its data;
  *   numbers         E_NOT_FINITE if one is NaN, or infinite where it must be finite; E_ARGUMENT if it is not
  *                   in its range;
  *   callbacks       must return: neither longjmp nor an exception may leave one through the library;
@@ -95,7 +95,8 @@ typedef enum algsurf_status {
  * Cost: constant.  Since 1.0. */
 ALGSURF_API const char *algsurf_status_text(algsurf_status status);
 
-/* The name of a status as written in the source, ALGSURF_OK, static, never null.  Since 1.0. */
+/* The name of a status as written in the source, ALGSURF_OK, static, never null ("unknown" for a number not
+ * listed).  Since 1.0. */
 ALGSURF_API const char *algsurf_status_name(algsurf_status status);
 
 /* The version of the library that runs (the macros give the one compiled against), as

@@ -1,8 +1,8 @@
 /* algsurf/surface.h - an algebraic surface P(x,y,z) = 0.
  *
- * A surface is an immutable polynomial whose coefficients are doubles, taken as exact numbers.
- * It may be shared by any number of threads; it never grows after it is made.  Where the doubles are
- * themselves roundings, of sqrt(5) for one, algsurf_surface_with_error says so, and answers allow for it.
+ * A surface is a polynomial whose coefficients are doubles, taken as exact numbers.  It never changes, so
+ * any number of threads may share it.  If the doubles are rounded numbers, sqrt(5) for one,
+ * algsurf_surface_with_error makes a surface whose answers allow for that.
  */
 #ifndef ALGSURF_SURFACE_H
 #define ALGSURF_SURFACE_H
@@ -52,17 +52,17 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * a constant, at most 100 radians, implicit multiplication (3x^2 y), blanks anywhere between tokens, at
  * most one '=' (left minus right).  ^ binds tighter than unary minus, is right associative and takes a
  * constant integer exponent 0..64 (down to -64 for a constant base); division only by a constant.
- * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is the
- * longest one that can be read; if it is not a constant, it is the product of those it is made of: xyz, and
- * ax for a constant a.  sin and cos need no brackets for one number, name, root or fraction of LaTeX at the
- * end of a product: y cos a.  What readers differ about, sin pi/5 or cos a y, is refused.
- *     Names may be defined before the equation: w = y^2 + z^2; x^2 - w = 0.  What w is may have x, y, z and
- * names defined before it, and stands in brackets wherever w is; at most 20000 bytes are put in so.  A name
- * has one value, and is no product of x, y and z.
+ * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is read as
+ * far as it goes; if that is no constant, it is a product of shorter names: xyz, and ax for a constant a.
+ * sin and cos need no brackets for one number, name, root or fraction of LaTeX at the end of a product: y cos
+ * a.  What can be read in two ways, sin pi/5 or cos a y, is refused.
+ *     Names may be defined before the equation: w = y^2 + z^2; x^2 - w = 0.  A definition may use x, y, z and
+ * names defined before it.  It is put, in brackets, wherever its name stands, at most 20000 bytes in all.  A
+ * name is defined once, and is no product of x, y and z.
  *     T_n(a), U_n(a), P_n(a), with n from 0 to 64, are the polynomials of Chebyshev, of both kinds, and of
  * Legendre in an expression a, T_6(x) + T_6(y) + T_6(z): also T_{6}(a), T with subscript digits,
  * ChebyshevT[6, a], ChebyshevU, LegendreP, chebyshevT(6, a), chebyshevU, legendreP.  Coefficients of T and U
- * are exact in double-double, those of P up to n = 30 at least.  A constant T_6 or T comes before them.
+ * are exact in double-double, those of P up to n = 30 at least.  A constant named T_6 or T hides them.
  *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
  * minus sign or dash is -, a division sign is /, superscript digits are an exponent, the signs of a quarter,
  * a half and three quarters are numbers, a root sign is sqrt of what follows it (a number, a name, a
@@ -71,27 +71,27 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * Sqrt, Sin, Cos are as with small letters; the text may begin with '=', or with NAME(x,y,z) =, which is
  * skipped, and end with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x,y,z) { EQUATION },
  * and poly { n, < > }, cubic { < > }, quartic { < > }, quadric { < >, < >, < >, j } with constants as
- * coefficients, in its order.
+ * coefficients, in the order of POV-Ray.
  *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without
  * backslash, a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and
  * \right (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ \displaystyle are blanks; &= is =; a pair
  * $ $, $$ $$, \( \), \[ \], or \begin{equation} \end{equation} (align, both with *, displaymath, math) may
- * stand about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
+ * enclose the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
  * another letter, U+03D5; the Greek pi is none.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
  * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
  * coefficient made of them is the double nearest to what is written, or the one next to it.  The surface is
  * that of these doubles; algsurf_surface_rounding returns how much they differ from the equation.  What
  * double-double cannot distinguish from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
- *   constants, count  named values; may be null when count is 0
+ *   constants, count  named values; constants may be null when count is 0
  *   error             may be null; filled only when E_SYNTAX, E_NAME, E_DEGREE, E_RANGE is returned
  * Errors: E_SYNTAX (also what is no polynomial: division by zero or by x, y, z, functions, fractions as
  * exponents), E_NAME (a name that is neither variable nor constant: a parameter that needs a value),
  * E_DEGREE (a product or power above degree 64, even if it would cancel; error points at its operator),
  * E_RANGE (a number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
- * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most in proportion to the length of the text, with what
- * is defined put in, times the number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s;
- * and to the length of the names of the constants.  Nesting deeper than 100 is E_SYNTAX.
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most proportional to the length of the text, definitions
+ * put in, times the number of terms of intermediate polynomials, plus the length of the constants' names;
+ * (x+y+z+1)^64 takes some 0.02 s.  Nesting deeper than 100 is E_SYNTAX.
  * 96 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,
@@ -99,17 +99,17 @@ ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const
 
 /* How much the coefficients of a surface made from an equation differ from the exact coefficients of the
  * equation: the largest relative error, or a little more.  11.8 and sqrt(5) in the text are exact numbers;
- * constants are the doubles given.  0 if the coefficients are computed from whole or binary numbers and all
- * intermediate results are doubles, and for surfaces from terms; some 2^-53 as a rule; infinite if a
- * coefficient underflowed to 0.  Coefficients that became 0 because double-double cannot distinguish them
- * from 0 are not counted.  0 for null.  Since 1.0. */
+ * constants are the doubles given.  0 for surfaces from terms, and if every number in the text and every
+ * intermediate result is a double; some 2^-53 as a rule; infinite if a coefficient underflowed to 0.
+ * Coefficients that became 0 because double-double cannot distinguish them from 0 are not counted.  0 for
+ * null.  Since 1.0. */
 ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
 
 /* The same surface with coefficients that are known up to a relative error only: it stands for all
  * polynomials with coefficients a', |a' - a| <= error |a|, and every guarantee (states, that a root is the
- * first, intervals that enclose it, bounds on values) holds for each of them.  What differs among them is
- * undecided, in the certified tier, too.  With the error that algsurf_surface_rounding returns, answers are
- * about the equation instead of its rounded coefficients.
+ * first, intervals that enclose it, bounds on values) holds for each of them.  What is not the same for all
+ * of them is undecided, in the certified tier, too.  With the error that algsurf_surface_rounding returns,
+ * answers are about the equation instead of its rounded coefficients.
  *   error        0 <= error < 1; 0 for exact coefficients
  *   approximate  receives the new surface; free it with algsurf_surface_free
  * Errors: E_ARGUMENT (null, error out of range), E_NOT_FINITE (error), E_NO_MEMORY.  Cost: as
@@ -137,7 +137,7 @@ ALGSURF_API algsurf_status algsurf_surface_terms(const algsurf_surface *surface,
 ALGSURF_API algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3],
                                                  double *value, double *bound);
 
-/* P and its gradient at a point in double, with bounds on each error; both bounds may be null.
+/* P and its gradient at a point in double, with bounds on their errors; either bound may be null.
  * Errors, source: as above.  Cost: about three times algsurf_surface_value.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3],
                                                     double *value, double gradient[3], double *value_bound,
