@@ -1,9 +1,11 @@
 /* text.c - from an equation as text to a polynomial: what stands about the expressions of parse.c.
  *
- *     text     = { name "=" sum ";" } [ open ] { name "=" sum ";" } ( solid | [ head ] equation ) [ stop ] [
- * close ] [ stop ] [
- * ";" ] open, close                                                  $ and $, or another pair of read.c stop
- * = "." | "," solid    = ("poly" | "quadric" | "cubic" | "quartic") "{" sums with "," "<" ">" between "}"
+ *     text     = { definition } [ open ] { definition } body [ stop ] [ close ] [ stop ] [ ";" ]
+ *     definition = name "=" sum ";"
+ *     body     = solid | [ head ] equation
+ *     open, close                                                  $ and $, or another pair of read.c
+ *     stop     = "." | ","
+ *     solid    = ("poly" | "quadric" | "cubic" | "quartic") "{" sums with "," "<" ">" between "}"
  *     head     = name "(" "x" "," "y" "," "z" ")" "="
  *     equation = sum [ "=" sum ]  |  "=" sum                       without head, that one
  */

@@ -30,9 +30,9 @@ typedef struct algsurf_i_wanted {
  * that counts.  A root beyond the largest double has an infinite t_lo or t_hi.  Of coefficients with an error
  * all roots and places are given, whatever is wanted; a root is one simple root of each polynomial of the
  * set.
- *   miss_side  if there are none: the sign of P where the ray's part in the region ends; 0 if there is no
- * such part, if rounding hides it, or if P is 0 on it Returns OK or E_NO_MEMORY.  Stack: 20 KiB, of which 16
- * serve as memory before anything is allocated. */
+ *   miss_side  if there are none: the sign of P where the ray's part in the region ends; 0 if there is
+ *              no such part, if rounding hides it, or if P is 0 on it
+ * Returns OK or E_NO_MEMORY.  Stack: 20 KiB, of which 16 serve as memory before anything is allocated. */
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
                                      const algsurf_ray *ray, const algsurf_i_wanted *wanted,
                                      algsurf_i_ray_root *roots, int *count, int *miss_side);

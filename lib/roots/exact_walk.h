@@ -126,10 +126,11 @@ int algsurf_exact_least_bit(const double *c, int degree, int unit);
 
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  Memory is taken until algsurf_exact_end.  Returns 0 when
- * there is none.  refine, from the cheapest to the dearest: ISOLATED  roots come without t, lo and hi around
- * the place as it was isolated; BRACKETS  the same with lo and hi the place itself, at doubles in [lo,hi],
- * else REFINED, as all roots of multiplicity are; REFINED   with t.
- * watch: null, or who is told. */
+ * there is none.
+ *   refine  ISOLATED, the cheapest: roots come without t, lo and hi around the place as it was isolated;
+ *           BRACKETS: the same, lo and hi being the place itself if its ends are doubles in [lo,hi] and
+ *           the root is simple, else as REFINED; REFINED, the dearest: with t
+ *   watch   null, or who is told */
 enum { ALGSURF_EXACT_ISOLATED = 0, ALGSURF_EXACT_REFINED = 1, ALGSURF_EXACT_BRACKETS = 2 };
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine, const algsurf_i_watch *watch);

@@ -6,10 +6,9 @@
  * polynomial; only this one is refined by steps.
  *
  * Certain values are plain or compensated where the bound tells their sign, else exact.  With |t| <
- * 2^(unit+1), u = t / 2^unit and coefficients c_k 2^(k unit + exponent) below 2, |u| < 2: a sum is below (n +
- * 1) 2^(n+1)
- * <= 2^523, and nothing overflows.  Where no c_k exceeds 2^401 and |t|^n stays below 2^400 they are left as
- * they are.  What becomes subnormal is off by 2^-1075 at most, which is less than its radius.
+ * 2^(unit+1), u = t / 2^unit and coefficients c_k 2^(k unit + exponent) below 2, |u| < 2: a sum is below
+ * (n + 1) 2^(n+1) <= 2^523, and nothing overflows.  Where no c_k exceeds 2^401 and |t|^n stays below 2^400
+ * they are left as they are.  What becomes subnormal is off by 2^-1075 at most, less than its radius.
  *
  * Horner's rule is off by at most 2 n u S (first order), S = sum |c_k| |u|^k (Higham 2002, 5.1), and by what
  * underflow loses in products and coefficients: 2^-1074 each, times at most 2^513, together below 2^-550.
