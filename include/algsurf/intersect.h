@@ -112,7 +112,7 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Returns OK also for a miss and for undecided: the state is in hit.
  * Errors: E_ARGUMENT (null, zero direction, bad extent or options, a plane with normal 0), E_NOT_FINITE
  * (origin, direction, NaN t, extent, planes, options), E_NO_MEMORY.
- * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
+ * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 200 microseconds for
  * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate only beyond degree
  * 10 or so.  If P is exactly c Q^k, with coefficients of Q below 2^53 in a common unit, a ray takes the time
  * of Q, unless an observer watches it or `side` asks for a sign that P has nowhere.  42 KiB of stack.  Since
