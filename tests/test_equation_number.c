@@ -82,7 +82,7 @@ TEST(test_numbers) {
             char *e = strchr(text, 'e');
             if (n % 2 == 0 && e) e[-1] = '1';
         }
-        check_number(text);
+        if (isfinite(strtod(text, NULL))) check_number(text); /* fewer digits may be more than DBL_MAX */
     }
 }
 

@@ -133,8 +133,8 @@ static void judge_bounces(uint64_t *seed, int rays, const algsurf_extent *extent
     }
     printf("degree %d: %d rays, %d hits, %d of themselves, %d of %d decided by doubles, %d left\n", c.degree,
            tally.rays, tally.hits, tally.self, decided, asked, tally.left);
-    assert_true(tally.rays == rays && tally.self * 4 > rays && decided >= share * asked &&
-                tally.left >= rays);
+    assert_true(tally.rays == rays && tally.left >= rays);
+    assert_often(tally.self * 4 > rays && decided >= share * asked);
 }
 
 TEST(test_catalogue_bounces) {

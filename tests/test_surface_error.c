@@ -35,6 +35,8 @@ static void make_member(uint64_t *seed, double error) {
         terms[i] = c.terms[i];
         double most = 0.999999 * error * fabs(terms[i].a);
         terms[i].a += most * random_sign(seed);
+        if (fabs(terms[i].a - c.terms[i].a) > error * fabs(c.terms[i].a))
+            terms[i].a = c.terms[i].a; /* rounded */
     }
     assert_true(intersect_terms(&member, terms, c.count));
     member.ray = c.ray;
