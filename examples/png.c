@@ -15,7 +15,8 @@ enum {
     WINDOW = 1 << 15,      /* how far back a match may lie */
     SHORTEST = 3,          /* a match */
     LONGEST = 258,         /* a match */
-    CHAIN = 32,            /* candidates looked at for a match */
+    CHAIN = 8,             /* candidates looked at for a match */
+    ENTERED = 16,          /* positions of a match, for later ones */
     HASH_BITS = 15,        /* of three bytes */
     CHUNK = 1 << 16,       /* bytes of an IDAT chunk */
     ADLER_MODULUS = 65521, /* the largest prime below 2^16 */
@@ -35,8 +36,8 @@ struct png_writer {
     int bit_count;
     uint16_t code[SYMBOLS]; /* of literals, the end and lengths, lowest bit first, */
     uint8_t code_bits[SYMBOLS];
-    size_t head[1 << HASH_BITS]; /* one more than the last position with this hash; 0: none */
-    size_t previous[WINDOW];     /* one more than the position before with the same hash */
+    uint32_t head[1 << HASH_BITS]; /* one more than the last position with this hash, modulo 2^32; 0: none */
+    uint32_t previous[WINDOW];     /* one more than the position before with the same hash */
 };
 
 /* ---- chunks ---- */
@@ -148,27 +149,29 @@ static size_t match_length(const uint8_t *a, const uint8_t *b, size_t most) {
 }
 
 /* Enters a position into the hash chains; returns one more than the one before with its hash. */
-static size_t enter(png_writer *png, const uint8_t *data, size_t size, size_t at) {
+static uint32_t enter(png_writer *png, const uint8_t *data, size_t size, size_t at) {
     if (size - at < SHORTEST) return 0;
     uint32_t bytes = (uint32_t)data[at] << 16 | (uint32_t)data[at + 1] << 8 | data[at + 2];
     uint32_t hash = bytes * 2654435761u >> (32 - HASH_BITS); /* 2^32 / golden ratio: Knuth, TAOCP 6.4 */
-    size_t before = png->head[hash];
+    const uint32_t before = png->head[hash];
     png->previous[at % WINDOW] = before;
-    png->head[hash] = at + 1;
+    png->head[hash] = (uint32_t)(at + 1);
     return before;
 }
 
 /* The longest match for a position among the first candidates of its chain. */
-static size_t find_match(const png_writer *png, const uint8_t *data, size_t size, size_t at, size_t candidate,
-                         size_t *distance) {
-    size_t most = size - at < LONGEST ? size - at : LONGEST, best = 0;
-    for (int i = 0; i < CHAIN && candidate > 0 && at - (candidate - 1) < WINDOW; i++) {
-        const size_t from = candidate - 1;
+static size_t find_match(const png_writer *png, const uint8_t *data, size_t size, size_t at,
+                         uint32_t candidate, size_t *distance) {
+    const size_t most = size - at < LONGEST ? size - at : LONGEST;
+    size_t best = 0;
+    for (int i = 0; i < CHAIN && candidate > 0; i++) {
+        const size_t back = (uint32_t)(at + 1) - candidate, from = at - back;
+        if (back == 0 || back >= WINDOW || back > at) break;
         const int may_be_longer = data[from + best] == data[at + best]; /* best < most */
         const size_t length = may_be_longer ? match_length(data + from, data + at, most) : 0;
         if (length > best) {
             best = length;
-            *distance = at - from;
+            *distance = back;
             if (best == most) break;
         }
         candidate = png->previous[from % WINDOW];
@@ -198,14 +201,15 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
     put_bits(png, 1, 1); /* the last block */
     put_bits(png, 1, 2); /* fixed codes */
     for (size_t at = 0; at < size;) {
-        size_t distance = 0, candidate = enter(png, data, size, at);
-        size_t length = find_match(png, data, size, at, candidate, &distance);
+        size_t distance = 0;
+        const uint32_t candidate = enter(png, data, size, at);
+        const size_t length = find_match(png, data, size, at, candidate, &distance);
         if (length < SHORTEST) {
             put_symbol(png, data[at++]);
             continue;
         }
         put_match(png, length, distance);
-        for (size_t i = 1; i < length; i++) enter(png, data, size, at + i);
+        for (size_t i = 1; i < length && i < ENTERED; i++) enter(png, data, size, at + i);
         at += length;
     }
     put_symbol(png, 256);
@@ -220,40 +224,38 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
 /* The nearest of a, b, c to a + b - c: Paeth's predictor. */
 static int nearest(int a, int b, int c) {
     const int da = abs(b - c), db = abs(a - c), dc = abs(a + b - 2 * c);
-    return da <= db && da <= dc ? a : db <= dc ? b : c;
+    return (da <= db) & (da <= dc) ? a : db <= dc ? b : c;
 }
 
-static unsigned magnitude(int residual) {
-    const uint8_t byte = (uint8_t)residual;
-    return byte < 128 ? byte : 256u - byte;
-}
-
-/* The filter with the least sum of magnitudes.  `left` zeros stand before each of the rows. */
-static int best_filter(const uint8_t *row, const uint8_t *above, size_t length, size_t left) {
+/* What a filter leaves of a row, behind the filter's number, and the sum of its magnitudes modulo 256.
+ * `left` zeros stand before each of the rows. */
+static inline unsigned filter_row(int filter, const uint8_t *row, const uint8_t *above, size_t length,
+                                  size_t left, uint8_t *restrict out) {
     const uint8_t *before = row - left, *above_before = above - left;
-    unsigned sum[FILTERS] = {0}, best = 0;
-    for (size_t i = 0; i < length; i++) {
-        const int x = row[i], a = before[i], b = above[i], c = above_before[i];
-        sum[0] += magnitude(x);
-        sum[1] += magnitude(x - a);
-        sum[2] += magnitude(x - b);
-        sum[3] += magnitude(x - (a + b) / 2);
-        sum[4] += magnitude(x - nearest(a, b, c));
-    }
-    for (unsigned filter = 1; filter < FILTERS; filter++)
-        if (sum[filter] < sum[best]) best = filter;
-    return (int)best;
-}
-
-/* The row's residuals, behind the filter's number. */
-static void write_filtered(int filter, const uint8_t *row, const uint8_t *above, size_t length, size_t left,
-                           uint8_t *out) {
-    const uint8_t *before = row - left, *above_before = above - left;
+    unsigned sum = 0;
     *out++ = (uint8_t)filter;
     for (size_t i = 0; i < length; i++) {
-        const int a = before[i], b = above[i];
-        const int guess[FILTERS] = {0, a, b, (a + b) / 2, nearest(a, b, above_before[i])};
-        out[i] = (uint8_t)(row[i] - guess[filter]);
+        const int a = before[i], b = above[i], c = above_before[i];
+        const int guess = filter == 0   ? 0
+                          : filter == 1 ? a
+                          : filter == 2 ? b
+                          : filter == 3 ? (a + b) / 2
+                                        : nearest(a, b, c);
+        out[i] = (uint8_t)(row[i] - guess);
+        sum += out[i] < 128 ? out[i] : 256u - out[i];
+    }
+    return sum;
+}
+
+/* The row by the filter with the least sum; other: room for a row behind a number. */
+static void write_filtered(const uint8_t *row, const uint8_t *above, size_t length, size_t left, uint8_t *out,
+                           uint8_t *other) {
+    unsigned least = filter_row(0, row, above, length, left, out);
+    for (int filter = 1; filter < FILTERS; filter++) {
+        const unsigned sum = filter_row(filter, row, above, length, left, other);
+        if (sum >= least) continue;
+        least = sum;
+        memcpy(out, other, length + 1);
     }
 }
 
@@ -293,14 +295,13 @@ static void write_frame_control(png_writer *png) {
     write_chunk(png, "fcTL", control, sizeof control);
 }
 
-/* rows: room for two, with zeros before them. */
+/* rows: room for three, with zeros before them. */
 static void filter_rows(const png_writer *png, const uint8_t *pixels, uint8_t *rows, uint8_t *filtered) {
     const size_t left = (size_t)png->channels, length = left * (size_t)png->width;
-    uint8_t *row = rows + left, *above = row + left + length;
+    uint8_t *row = rows + left, *above = row + left + length, *other = above + length;
     for (size_t y = 0; y < (size_t)png->height; y++) {
         memcpy(row, pixels + y * length, length);
-        const int filter = best_filter(row, above, length, left);
-        write_filtered(filter, row, above, length, left, filtered + y * (length + 1));
+        write_filtered(row, above, length, left, filtered + y * (length + 1), other);
         uint8_t *next = above;
         above = row, row = next;
     }
@@ -309,7 +310,7 @@ static void filter_rows(const png_writer *png, const uint8_t *pixels, uint8_t *r
 int png_frame(png_writer *png, const uint8_t *pixels) {
     size_t left = (size_t)png->channels, length = left * (size_t)png->width;
     size_t size = (length + 1) * (size_t)png->height;
-    uint8_t *filtered = malloc(size), *rows = calloc(2, left + length);
+    uint8_t *filtered = malloc(size), *rows = calloc(3, left + length);
     if (filtered && rows) {
         filter_rows(png, pixels, rows, filtered);
         if (png->a_second > 0) write_frame_control(png);
