@@ -165,7 +165,7 @@ TEST(formula) {
             const double *visible = t.with_visible ? t.b.visible + e * (t.job.light_count + 1) : NULL;
             reference_shade(&t.lighting, visible, t.b.point[e], t.b.normal[e], t.b.direction[e], expected);
             for (int i = 0; i < 3; i++)
-                if (!(fabs((double)got.rgb[3 * e + i] - expected[i]) <= (random_salt ? 1e-3 : 1e-4)))
+                if (!(fabs((double)got.rgb[3 * e + i] - expected[i]) <= 5e-5))
                     fail_msg("turn %d, entry %d: %.9g, not %.9g", number, e, (double)got.rgb[3 * e + i],
                              expected[i]);
         }

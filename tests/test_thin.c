@@ -141,8 +141,8 @@ TEST(points_are_one_dot) {
                 dots++;
                 near += fabs(i % size + 0.5 - p.x) < 0.52 && fabs(i / size + 0.5 - p.y) < 0.52;
             }
-            lost += dots == 0, all++;
-            if ((dots != 1 || near != 1) && !(random_salt && dots == 0))
+            lost += dots != 1, all++; /* or in both of the pixels whose border it is next to */
+            if ((dots != 1 || near != 1) && !(random_salt && dots == near && dots <= 2))
                 fail_msg("%s, view %d: %d dots, %d near %a,%a", points[n].equation, view, dots, near, p.x,
                          p.y);
             algsurf_scene_free(scene);

@@ -83,11 +83,12 @@ INLINE lanes lambert(lanes cosine) {
 INLINE void add_light(const algsurf_i_colour_job *job, int l, const lanes *share, canvas *c) {
     const algsurf_material *m = &job->material;
     const double r = m->roughness * m->roughness;
-    lanes s[3];
+    lanes s[3], sum[3]; /* L + V: what h and nl + nv are of, also where they are small */
     for (int i = 0; i < 3; i++) s[i] = all_lanes(job->light[l][i]) - c->place[i];
     lanes inverse = 1 / root(dot(s, s) + all_lanes(NEAREST_SQUARED)), cosine = dot(c->normal, s) * inverse;
-    lanes half = larger(2 - 2 * (dot(c->direction, s) * inverse), all_lanes(LEAST_HALF));
-    lanes across = cosine + c->facing, narrow = all_lanes(r) * half;
+    for (int i = 0; i < 3; i++) sum[i] = s[i] * inverse - c->direction[i];
+    lanes half = larger(dot(sum, sum), all_lanes(LEAST_HALF));
+    lanes across = dot(c->normal, sum), narrow = all_lanes(r) * half;
     lanes g = narrow / larger(half - all_lanes(1 - r) * (across * across), narrow);
     lanes k = share ? softened(*share) : all_lanes(1);
     lanes diffuse = all_lanes(m->diffuse) * lambert(cosine) * k;
