@@ -33,12 +33,12 @@ visitTest("what lies behind the eye, or in a box elsewhere, or in no sector, is 
     await visit.type("x^2 + y^2 + z^2 = 1");
     await visit.until(({ equation }) => equation === "x^2 + y^2 + z^2 = 1");
     await set({ camera: { eye: [5, 0, 0], lookAt: [9, 0, 0], up: [0, 0, 1], fov: 25 } });
-    await visit.page.getByText(WORDS["nothing.view"]).waitFor();
+    await visit.page.locator("#nothing", { hasText: WORDS["nothing.view"] }).waitFor();
     await visit.screenshot("nothing is seen");
     await set({ extent: { kind: "box", size: [1, 1, 1], centre: [9, 0, 0] } });
-    await visit.page.getByText(WORDS["nothing.box"]).waitFor();
+    await visit.page.locator("#nothing", { hasText: WORDS["nothing.box"] }).waitFor();
     await set({ complex: { sigma: 0.1, delta: 0, imaginary: {} } });
-    await visit.page.getByText(WORDS["nothing.sector"]).waitFor();
+    await visit.page.locator("#nothing", { hasText: WORDS["nothing.sector"] }).waitFor();
     await set({ complex: null });
     await visit.page.locator("#nothing button").click();
     await visit.until(({ picture }) => picture.hits > 1000);

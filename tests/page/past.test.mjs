@@ -49,7 +49,10 @@ visitTest("Back goes to the surface before, and Forward to the next one", {}, as
     await page.waitForFunction(() => location.hash !== "");
     await typed(visit, OWN);
     await page.locator("#gallery .thumb[title='Torus']").click();
+    await visit.until(({ name }) => name === "torus");
+    await page.locator("#formula").click(); // at once; what is typed a moment later is no part of what was clicked
     await visit.until(isShown, "torus");
+    await page.waitForTimeout(800);
     await typed(visit, OTHER);
     await page.waitForTimeout(800);
     for (const wanted of ["torus", OWN, "barth"]) {

@@ -69,7 +69,7 @@ test("a thumbnail never holds the only worker", async () => {
         const begin = Date.now();
         await visit.type(`x^2 + y^2 + z^2 = 1.${i}`);
         await visit.until(({ picture, equation }, i) => equation.endsWith(`.${i}`) && picture.state.equation === equation, i);
-        assert.ok(Date.now() - begin < 3000, `${Date.now() - begin} ms`);
+        assert.ok(Date.now() - begin < 8000, `${Date.now() - begin} ms`);
         await visit.page.waitForTimeout(300);
     }
     const drawn = () => [...document.querySelectorAll("#gallery canvas")].filter((canvas) => {

@@ -43,7 +43,7 @@ function keepAddress({ store, box, shown }) {
         if (opening > 0) return;
         const state = store.get(), before = stateOfLink(location.hash, FIRST)?.state ?? FIRST;
         const isSame = before.equation === state.equation || hasCome;
-        const way = goesOn(state) || isSame ? "replaceState" : "pushState";
+        const way = isSame || goesOn(state) ? "replaceState" : "pushState"; // the same is not typed again
         hasCome = false;
         history[way](null, "", shown.link);
     }
