@@ -100,6 +100,12 @@ TEST(test_form) {
         assert_true(t[i].root == 2 + i && t[i].lo == 2 + i && t[i].hi == 2 + i);
         assert_true(t[i].multiplicity == 1 && t[i].sign == 1 - 2 * i);
     }
+    for (int i = 0; i < 4; i++) { /* of one point */
+        const double x[] = {2, 0x1.0000000000001p+1, 0, 3};
+        assert_ok(algsurf_real_roots_integers(c, 4, x[i], x[i], t, 4, &count));
+        assert_int_equal(count, i % 3 == 0);
+        assert_true(!count || (t[0].lo == x[i] && t[0].hi == x[i] && t[0].sign == (i ? -1 : 1)));
+    }
     assert_ok(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count));
     assert_int_equal(count, 0);
 }

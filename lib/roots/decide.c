@@ -37,6 +37,15 @@ static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
     return ilogb(lead) + e - ilogb(c[n]) - n * unit;
 }
 
+/* Is the line one point, and no root? */
+static int is_no_root(algsurf_memory *m, const algsurf_i_line *line, const algsurf_zpoly *p, int unit,
+                      int *done) {
+    int sign = 0;
+    if (line->lo != line->hi || isinf(line->lo)) return 0;
+    *done = algsurf_exact_at_double(m, p, unit, line->lo, &sign, NULL, NULL);
+    return sign != 0;
+}
+
 algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *roots, int capacity,
                                 int *count) {
     const algsurf_i_watch *watch = line->watch;
@@ -53,7 +62,7 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
                  : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p);
-    if (done && p.degree > 0) {
+    if (done && p.degree > 0 && !is_no_root(&memory, line, &p, unit, &done) && done) {
         if (watch) {
             scaled = *watch;
             scaled.exponent -= scale_of(&p, c, unit);
