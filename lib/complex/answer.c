@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../poly/interval_impl.h"
 #include "discs.h"
 
 #define MOST_BITS 1300 /* of a root: 1075 below 1 is no double any more */
@@ -45,11 +46,11 @@ static algsurf_interval part(const algsurf_limb *x, int w, int64_t exponent, dou
 int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R) {
     const algsurf_i_disc *root = d->root + i;
     algsurf_scaled way = root->step;
-    *R = algsurf_i_scaled_by(algsurf_i_scaled_join(root->blur, root->error, 1), 1 + 0x1p-40);
-    const int exact = algsurf_i_scaled_is_zero(way) && algsurf_i_scaled_is_zero(*R);
+    *R = by(sum(root->blur, root->error), 1 + 0x1p-40);
+    const int exact = is_zero(way) && is_zero(*R);
     const int64_t low = exact ? root->z.exponent : R->exponent - 10;
     way.re = -way.re, way.im = -way.im;
-    if (!exact) *R = algsurf_i_scaled_join(*R, algsurf_i_scaled_of(4, 0, low), 1);
+    if (!exact) *R = sum(*R, scaled_of(4, 0, low));
     return algsurf_i_set_point(d->m, x, &root->z, way, low, on_axis);
 }
 
@@ -61,10 +62,10 @@ static double inside(algsurf_interval box, double x) {
 static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit) {
     const algsurf_i_disc *known = d->root + i;
     const algsurf_i_point *z = &known->z;
-    algsurf_scaled step = algsurf_i_scaled_none(), radius = known->disc;
-    if (d->root[known->group].members == 1 && known->blur.exponent < radius.exponent) {
+    algsurf_scaled step = scaled_none(), radius = known->disc;
+    if (is_alone(d, i) && known->blur.exponent < radius.exponent) {
         step = known->step;
-        radius = algsurf_i_scaled_by(algsurf_i_scaled_join(known->blur, known->error, 1), 1 + 0x1p-40);
+        radius = by(sum(known->blur, known->error), 1 + 0x1p-40);
     }
     int64_t top = z->head.exponent > step.exponent ? z->head.exponent : step.exponent;
     if (radius.exponent > top) top = radius.exponent;
@@ -89,21 +90,17 @@ int algsurf_i_double_inside(const algsurf_i_discs *d, int i, double z[2]) {
 
 static double middle(algsurf_interval x) { return inside(x, 0.5 * x.lo + 0.5 * x.hi); }
 
-static algsurf_interval hull(algsurf_interval a, algsurf_interval b) {
-    return (algsurf_interval){fmin(a.lo, b.lo), fmax(a.hi, b.hi)};
-}
-
 static int meet(algsurf_cinterval a, algsurf_cinterval b) {
-    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
+    return algsurf_i_cinterval_valid(algsurf_i_cinterval_meet(a, b));
 }
 
 static algsurf_cinterval mirror(algsurf_cinterval a) {
-    return (algsurf_cinterval){a.re, {-a.im.hi, -a.im.lo}};
+    return (algsurf_cinterval){a.re, algsurf_i_interval_neg(a.im)};
 }
 
 /* Box k joins box j; returns the number of boxes left. */
 static int unite(algsurf_complex_root *e, int count, int j, int k) {
-    e[j].box = (algsurf_cinterval){hull(e[j].box.re, e[k].box.re), hull(e[j].box.im, e[k].box.im)};
+    e[j].box = algsurf_i_cinterval_hull(e[j].box, e[k].box);
     e[j].root = (algsurf_complex){middle(e[j].box.re), middle(e[j].box.im)};
     e[j].multiplicity += e[k].multiplicity;
     e[j].real = e[j].real && e[k].real;
@@ -144,15 +141,13 @@ static void use_symmetry(algsurf_complex_root *e, int count) {
         int j = 0;
         while (j < count && !meet(image, e[j].box)) j++;
         if (j < i || j == count) continue;
-        algsurf_cinterval *a = &e[i].box, *b = &e[j].box;
-        *b = (algsurf_cinterval){{fmax(image.re.lo, b->re.lo), fmin(image.re.hi, b->re.hi)},
-                                 {fmax(image.im.lo, b->im.lo), fmin(image.im.hi, b->im.hi)}};
-        *a = mirror(*b);
+        e[j].box = algsurf_i_cinterval_meet(image, e[j].box);
+        e[i].box = mirror(e[j].box);
         e[j].root = (algsurf_complex){e[i].root.re, -e[i].root.im};
         if (i != j) continue;
         e[i].root.im = 0;
         e[i].real = e[i].multiplicity == 1;
-        if (e[i].real) a->im = (algsurf_interval){0, 0};
+        if (e[i].real) e[i].box.im = (algsurf_interval){0, 0};
     }
 }
 
@@ -167,15 +162,11 @@ static int compare(const void *left, const void *right) {
 static int make_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_root *roots) {
     int count = 0;
     for (int g = 0; g < d->n; g++) {
-        if (d->root[g].group != g || d->root[g].left_out) continue;
-        algsurf_complex_root *e = roots + count++;
-        *e = box_of(d, g, unit);
-        for (int i = g + 1; i < d->n; i++) {
+        const int first = count;
+        for (int i = g; i < d->n && !d->root[g].left_out; i++) {
             if (d->root[i].group != g) continue;
-            algsurf_complex_root more = box_of(d, i, unit);
-            e->box = (algsurf_cinterval){hull(e->box.re, more.box.re), hull(e->box.im, more.box.im)};
-            e->root = (algsurf_complex){middle(e->box.re), middle(e->box.im)};
-            e->multiplicity++;
+            roots[count++] = box_of(d, i, unit);
+            if (i > g) count = unite(roots, count, first, first + 1);
         }
     }
     count = join(roots, count, d->p->real);
@@ -195,6 +186,7 @@ int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *a)
         roots[i].real = roots[i].real && a->real;
     }
     a->count += count;
+    a->moved += d->moved;
     return 1;
 }
 

@@ -24,29 +24,15 @@
 #define UP (1 + 0x1p-40) /* for what is rounded a few hundred times */
 #define ENOUGH 0x1p24    /* a value exceeds its error by that */
 
-static algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_times(a, b); }
-
-static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
-
-static algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_join(a, b, 1); }
-
-static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
-
-static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
-
 /* |a|, rounded up. */
-static algsurf_scaled size_of(algsurf_scaled a) { return by(algsurf_i_scaled_size(a), UP); }
-
-static int difference(const algsurf_i_discs *d, int i, int j, algsurf_scaled *result) {
-    return algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, result);
-}
+static algsurf_scaled size_up(algsurf_scaled a) { return by(size_of(a), UP); }
 
 /* ---- values ---- */
 
 void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
                       algsurf_scaled *spread) {
-    algsurf_scaled far = size_of(z->head);
-    for (int j = 0; j <= last; j++) spread[j] = algsurf_i_scaled_none();
+    algsurf_scaled far = size_up(z->head);
+    for (int j = 0; j <= last; j++) spread[j] = scaled_none();
     for (int k = p->re.degree; k >= 0 && p->radius; k--)
         for (int j = last; j >= 0; j--)
             spread[j] = sum(times(spread[j], far), j > 0 ? spread[j - 1] : p->radius[k]);
@@ -57,7 +43,7 @@ void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int
 static void set_known(algsurf_i_discs *d, algsurf_i_disc *root, algsurf_scaled value, algsurf_scaled lost) {
     algsurf_scaled spread;
     algsurf_i_spread(d->p, &root->z, 0, &spread);
-    root->stuck = d->p->radius && !less(by(spread, 4), size_of(value));
+    root->stuck = d->p->radius && !less(by(spread, 4), size_up(value));
     root->value = value, root->lost = sum(lost, spread);
     root->known = 1;
 }
@@ -70,7 +56,7 @@ static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
         if (!algsurf_i_taylor(&d->sums, d->p, &root->z, 0, root->width)) return 0;
         value = algsurf_i_sum_head(d->sums.at), lost = d->sums.at->lost;
         algsurf_scaled most = by(lost, ENOUGH);
-        if (!less(size_of(value), most) || less(most, spread)) break;
+        if (!less(size_up(value), most) || less(most, spread)) break;
     }
     set_known(d, root, value, lost);
     return 1;
@@ -82,10 +68,10 @@ static algsurf_scaled lead_of(const algsurf_i_gaussian *p) {
     const algsurf_limb *x = algsurf_zpoly_at(&p->re, p->re.degree);
     algsurf_scaled lead =
         algsurf_i_head(x, p->im.c ? algsurf_zpoly_at(&p->im, p->re.degree) : x, p->re.width, 0);
-    return p->im.c ? lead : algsurf_i_scaled_of(lead.re, 0, lead.exponent);
+    return p->im.c ? lead : scaled_of(lead.re, 0, lead.exponent);
 }
 
-static algsurf_scaled normal(algsurf_scaled a) { return algsurf_i_scaled_of(a.re, a.im, a.exponent); }
+static algsurf_scaled normal(algsurf_scaled a) { return scaled_of(a.re, a.im, a.exponent); }
 
 /* For sizes that are not normalised. */
 static int is_nearer(algsurf_scaled a, algsurf_scaled b) {
@@ -103,8 +89,8 @@ static int set_products(algsurf_i_discs *d) {
             algsurf_scaled least = {0.5 * fmax(fabs(a.re), fabs(a.im)), 0, a.exponent};
             if (is_nearer(least, one->nearest)) one->nearest = least;
             if (is_nearer(least, two->nearest)) two->nearest = least;
-            algsurf_i_scaled_multiply(&one->step, a.re, a.im, a.exponent);
-            algsurf_i_scaled_multiply(&two->step, -a.re, -a.im, a.exponent);
+            scaled_multiply(&one->step, a.re, a.im, a.exponent);
+            scaled_multiply(&two->step, -a.re, -a.im, a.exponent);
         }
     for (int i = 0; i < d->n; i++) {
         d->root[i].step = normal(d->root[i].step);
@@ -115,26 +101,26 @@ static int set_products(algsurf_i_discs *d) {
 
 /* How much larger 1/|c_n| may be than at the middle, relatively: r / (|c_n| - r). */
 static algsurf_scaled spread_of_lead(const algsurf_i_gaussian *p) {
-    if (!p->radius) return algsurf_i_scaled_none();
-    algsurf_scaled r = p->radius[p->re.degree], least = by(algsurf_i_scaled_size(lead_of(p)), 1 - 0x1p-45);
-    return by(over(r, by(algsurf_i_scaled_join(least, r, -1), 1 - 0x1p-45)), UP);
+    if (!p->radius) return scaled_none();
+    algsurf_scaled r = p->radius[p->re.degree], least = by(size_of(lead_of(p)), 1 - 0x1p-45);
+    return by(over(r, by(sum(least, negative(r)), 1 - 0x1p-45)), UP);
 }
 
 static int set_discs(algsurf_i_discs *d) {
     const int n = d->n;
     algsurf_scaled lead = spread_of_lead(d->p),
-                   loss = by(sum(lead, algsurf_i_scaled_of(1, 0, 0)), (1 + n * SLACK) * UP);
+                   loss = by(sum(lead, scaled_of(1, 0, 0)), (1 + n * SLACK) * UP);
     if (!set_products(d)) return 0;
     for (int i = 0; i < n; i++) {
         algsurf_i_disc *root = d->root + i;
         algsurf_scaled product = root->step;
         root->disc = ALGSURF_I_ENDLESS;
-        root->step = algsurf_i_scaled_none();
-        if (algsurf_i_scaled_is_zero(product)) continue;
-        algsurf_scaled unit = over(loss, algsurf_i_scaled_size(product));
+        root->step = scaled_none();
+        if (is_zero(product)) continue;
+        algsurf_scaled unit = over(loss, size_of(product));
         root->step = over(root->value, product);
-        root->error = by(sum(times(root->lost, unit), times(size_of(root->step), lead)), UP);
-        root->disc = by(times(sum(size_of(root->value), root->lost), unit), n * UP);
+        root->error = by(sum(times(root->lost, unit), times(size_up(root->step), lead)), UP);
+        root->disc = by(times(sum(size_up(root->value), root->lost), unit), n * UP);
     }
     return 1;
 }
@@ -149,14 +135,13 @@ static int first_of(const algsurf_i_discs *d, int i) {
 static int touch(algsurf_i_discs *d, int i, int j, int *result) {
     algsurf_scaled distance, reach = by(sum(d->root[i].disc, d->root[j].disc), 1 + 0x1p-20);
     if (!difference(d, i, j, &distance)) return 0;
-    *result = distance.exponent <= reach.exponent && !less(reach, size_of(distance));
+    *result = distance.exponent <= reach.exponent && !less(reach, size_up(distance));
     return 1;
 }
 
 static int set_groups(algsurf_i_discs *d) {
-    algsurf_scaled most = algsurf_i_scaled_none();
-    for (int i = 0; i < d->n; i++)
-        if (less(most, d->root[i].disc)) most = d->root[i].disc;
+    algsurf_scaled most = scaled_none();
+    for (int i = 0; i < d->n; i++) most = larger(most, d->root[i].disc);
     for (int i = 0; i < d->n; i++) {
         d->root[i].group = i;
         d->root[i].members = 0;
@@ -179,11 +164,11 @@ static int share_of(algsurf_i_discs *d, int i, algsurf_scaled most, algsurf_scal
     algsurf_scaled far;
     *share = by(over(most, root->nearest), d->n * UP);
     if (share->exponent < -24) return 1; /* below what rounding costs */
-    *share = algsurf_i_scaled_none();
+    *share = scaled_none();
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
         if (!difference(d, i, j, &far)) return 0;
-        *share = sum(*share, over(d->root[d->root[j].group].next, algsurf_i_scaled_size(far)));
+        *share = sum(*share, over(d->root[d->root[j].group].next, size_of(far)));
     }
     *share = by(*share, 1 + d->n * SLACK);
     return 1;
@@ -191,24 +176,24 @@ static int share_of(algsurf_i_discs *d, int i, algsurf_scaled most, algsurf_scal
 
 /* How far roots that are alone can be from z - step, where it is worth the time: |W| well below |z|. */
 static int set_blur(algsurf_i_discs *d) {
-    algsurf_scaled most = algsurf_i_scaled_none();
-    for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+    algsurf_scaled most = scaled_none();
+    for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
     for (int i = 0; i < d->n; i++) {
         algsurf_scaled *reach = &d->root[d->root[i].group].next;
         *reach = sum(*reach, by(d->root[i].disc, 2));
-        if (less(most, *reach)) most = *reach;
+        most = larger(most, *reach);
     }
     for (int i = 0; i < d->n; i++) {
         algsurf_i_disc *root = d->root + i;
         algsurf_scaled share;
         root->blur = ALGSURF_I_ENDLESS;
-        if (d->root[root->group].members > 1) continue;
+        if (!is_alone(d, i)) continue;
         if (!root->stuck && root->disc.exponent > root->z.head.exponent - 16) continue;
         if (!share_of(d, i, most, &share)) return 0;
         if (share.exponent >= -1) continue;
-        share = sum(by(share, 2), algsurf_i_scaled_of(d->n * SLACK, 0, 0));
-        root->blur = times(size_of(root->step), by(share, UP));
-        root->error = times(root->error, by(sum(share, algsurf_i_scaled_of(1, 0, 0)), UP));
+        share = sum(by(share, 2), scaled_of(d->n * SLACK, 0, 0));
+        root->blur = times(size_up(root->step), by(share, UP));
+        root->error = times(root->error, by(sum(share, scaled_of(1, 0, 0)), UP));
     }
     return 1;
 }
@@ -247,7 +232,7 @@ static int try_doubles(algsurf_i_discs *d) {
         algsurf_i_disc *root = d->root + who[k];
         double lost = 33.0 * d->n * (d->n + 2) * 0x1p-106 * sum[k] + 0x1p-52 * (fabs(re[k]) + fabs(im[k]));
         if (!(fmax(fabs(re[k]), fabs(im[k])) >= ENOUGH * lost && sum[k] <= 0x1p900)) continue;
-        set_known(d, root, algsurf_i_scaled_of(re[k], im[k], p->top), algsurf_i_scaled_of(lost, 0, p->top));
+        set_known(d, root, scaled_of(re[k], im[k], p->top), scaled_of(lost, 0, p->top));
     }
     algsurf_memory_release(d->m, mark);
     return 1;

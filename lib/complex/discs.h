@@ -5,9 +5,8 @@
  * answer.c rounds. */
 #ifndef ALGSURF_COMPLEX_DISCS_H
 #define ALGSURF_COMPLEX_DISCS_H
-#include "algsurf/allroots.h"
-#include "../poly/integral.h"
 #include "boxes.h"
+#include "impl.h"
 #include "scaled.h"
 
 /* sum (re_k + i im_k) z^k with integers; the leading coefficient is not 0. */
@@ -19,6 +18,14 @@ typedef struct algsurf_i_gaussian {
     const algsurf_i_flat *flat;   /* null: they do not fit doubles */
 } algsurf_i_gaussian;
 
+/* A polynomial of integers, and what doubles say of it. */
+typedef struct algsurf_i_integers {
+    algsurf_i_gaussian p;
+    int *bits;
+    algsurf_scaled *head, *size, *radius; /* degree+1; radii are not set by algsurf_i_make_integers */
+    unsigned char *exact;                 /* coefficient k is its head */
+    algsurf_i_flat flat;
+} algsurf_i_integers;
 /* (x + iy) 2^exponent, in w limbs each. */
 typedef struct algsurf_i_point {
     algsurf_limb *x, *y;
@@ -61,12 +68,15 @@ typedef struct algsurf_i_answer {
     int count;                      /* of boxes, which may meet */
     algsurf_complex_root *roots;    /* room for the degree */
     algsurf_precise_roots *precise; /* not null: the roots go there, in place of boxes */
+    int proposed, moved;            /* steps it took */
 } algsurf_i_answer;
 
 /* Functions that return int give 0 when there is no memory. */
 
 /* ---- taylor.c ---- */
 
+/* 64 bits of a from bit `from` on, which may be negative. */
+algsurf_limb algsurf_i_limb_at(const algsurf_limb *a, int w, int64_t from);
 /* r += floor(a 2^shift), for w limbs. */
 void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift);
 /* The head of (x + iy) 2^exponent. */
@@ -90,9 +100,8 @@ typedef struct algsurf_i_sums {
     algsurf_i_sum *at;
     algsurf_limb *room;
     size_t limbs;
-    int last;
+    int last; /* -1: no room yet */
 } algsurf_i_sums;
-#define ALGSURF_I_NO_SUMS(memory) ((algsurf_i_sums){.m = (memory), .last = -1})
 int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
                      int w);
 
@@ -134,9 +143,15 @@ static inline int algsurf_i_gap(algsurf_memory *m, const algsurf_i_point *a, con
 static inline int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
                                        algsurf_scaled *result) {
     if (!algsurf_i_gap(m, a, b, result)) return 0;
-    if (result->exponent == 0) *result = algsurf_i_scaled_of(result->re, result->im, 0);
+    if (result->exponent == 0) *result = scaled_of(result->re, result->im, 0);
     return 1;
 }
+
+/* Of two points of d. */
+static inline int difference(const algsurf_i_discs *d, int i, int j, algsurf_scaled *result) {
+    return algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, result);
+}
+static inline int is_alone(const algsurf_i_discs *d, int i) { return d->root[d->root[i].group].members == 1; }
 
 /* z = z - a / (factor b), cut below 2^low; y = 0 if on_axis.  What is left of `a` means nothing. */
 int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
@@ -147,10 +162,17 @@ int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i
 /* Start values for the n roots of sum c_k z^k, |c_k| <= size_k; *fit: doubles suffice to go on from them. */
 int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit);
 
+/* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
+ * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
+ * Adds to *corrections how many there were of a root. */
+int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
+                      algsurf_scaled *z, int *corrections);
+
 /* ---- discs.c, part.c ---- */
 
-int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
-                          const algsurf_scaled *z);
+/* Discs about approximations of all roots, of degree 1 at least: as algsurf_i_propose has them. */
+int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p,
+                          const algsurf_scaled *given, int *corrections);
 /* p at the points that have moved, and all discs and groups. */
 int algsurf_i_discs_prove(algsurf_i_discs *d);
 /* Upper bounds of sum_k C(k,j) r_k |z|^(k-j) for j = 0 to `last`: what radii make of Taylor's coefficients.
@@ -161,44 +183,17 @@ void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int
  * are not. */
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);
 
-#define ALGSURF_I_MOST_SWEEPS 1000
-
 /* ---- factors.c ---- */
 
-/* A polynomial of integers, and what doubles say of it. */
-typedef struct algsurf_i_integers {
-    algsurf_i_gaussian p;
-    int *bits;
-    algsurf_scaled *head, *size, *radius; /* degree+1; the last is not set by algsurf_i_make_heads */
-    unsigned char *exact;                 /* coefficient k is its head */
-    algsurf_i_flat flat;
-} algsurf_i_integers;
-/* From z->p.re and .im. */
-int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z);
-/* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
- * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
- * Adds to *corrections how many there were of a root. */
-int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
-                      algsurf_scaled *z, int *corrections);
+/* u + iv, or u where v is null, in one degree and width; real where v is null. */
+int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
+                            algsurf_i_integers *z);
 
 /* All roots of an exact polynomial with multiple ones, each with its multiplicity; real: it has real
- * coefficients.  The answer's count stays 0 if there are no multiple ones.  Adds to *proposed and *moved the
- * steps it took. */
-int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
-                            int *proposed, int *moved);
+ * coefficients.  The answer's count stays 0 if there are no multiple ones. */
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer);
 
 /* ---- on_axis.c ---- */
-
-/* The only root of a polynomial in the open interval (a, b) 2^-r, at whose ends it has different signs; b
- * null: the point a 2^-r. */
-typedef struct algsurf_i_root_on_axis {
-    algsurf_limb *a, *b;
-    int width, r;
-} algsurf_i_root_on_axis;
-/* All real roots of f, which is squarefree and of a degree of at least 3, in increasing order; `at` has room
- * for the degree.  *count -1: `most` sweeps did not find them. */
-int algsurf_i_roots_on_axis(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at,
-                            int *count);
 
 /* Root i, which is alone, is real: 1, 0; -1: not known. */
 int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer);

@@ -7,35 +7,46 @@
  * has no real root and none together with its conjugate, as both u and v would vanish there, which have no
  * common factor.  So the roots of N = u^2 + v^2 = h h* are those of h, with their multiplicities, and their
  * conjugates: of each pair, h vanishes at one.  At the other it is shown not to: |h(z)| exceeds its change
- * over a disc that holds the root, R sum k |c_k|
- * (|z| + R)^(k-1). */
+ * over a disc that holds the root, R sum k |c_k| (|z| + R)^(k-1). */
 #include "../base/arithmetic.h"
-#include <string.h>
 
-#include "../poly/integral_impl.h"
 #include "../poly/residue.h"
 #include "discs.h"
 
-int algsurf_i_make_heads(algsurf_memory *m, algsurf_i_integers *z) {
-    int n = z->p.re.degree, w = z->p.re.width;
-    size_t terms = (size_t)n + 1;
-    z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
+/* What is said of z->p. */
+static int make_heads(algsurf_memory *m, algsurf_i_integers *z) {
+    const size_t terms = (size_t)z->p.re.degree + 1;
+    const int w = z->p.re.width;
+    z->p.bits = z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
     z->head = algsurf_i_take(m, 3 * terms * sizeof *z->head);
     z->exact = algsurf_i_take(m, terms);
     if (!z->bits || !z->head || !z->exact) return 0;
     z->size = z->head + terms, z->radius = z->size + terms;
-    for (int k = 0; k <= n; k++) {
+    for (int k = 0; k <= z->p.re.degree; k++) {
         const algsurf_limb *x = algsurf_zpoly_at(&z->p.re, k),
                            *y = z->p.im.c ? algsurf_zpoly_at(&z->p.im, k) : x;
         int a = algsurf_z_bits(x, w), b = algsurf_z_bits(y, w);
         z->head[k] = algsurf_i_head(x, y, w, 0);
-        if (!z->p.im.c) z->head[k] = algsurf_i_scaled_of(z->head[k].re, 0, z->head[k].exponent);
-        z->size[k] = algsurf_i_scaled_size(z->head[k]);
-        z->bits[k] = algsurf_i_scaled_is_zero(z->head[k]) ? -1 : a > b ? a : b;
+        if (!z->p.im.c) z->head[k] = scaled_of(z->head[k].re, 0, z->head[k].exponent);
+        z->size[k] = size_of(z->head[k]);
+        z->bits[k] = is_zero(z->head[k]) ? -1 : a > b ? a : b;
         z->exact[k] = (unsigned char)algsurf_i_head_is_exact(x, y, w);
     }
-    z->p.bits = z->bits;
     return 1;
+}
+
+int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
+                            algsurf_i_integers *z) {
+    const algsurf_zpoly *part[2] = {u, v};
+    *z = (algsurf_i_integers){.p = {.re = *u, .real = !v}};
+    if (!v) return make_heads(m, z);
+    int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
+    if (!algsurf_zpoly_new(m, n, w, &z->p.re) || !algsurf_zpoly_new(m, n, w, &z->p.im)) return 0;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k <= part[i]->degree; k++)
+            algsurf_z_copy(algsurf_zpoly_at(i ? &z->p.im : &z->p.re, k), w, algsurf_zpoly_at(part[i], k),
+                           part[i]->width);
+    return make_heads(m, z);
 }
 
 /* ---- is there a multiple root? ---- */
@@ -80,15 +91,11 @@ static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *an
 /* h is not 0 within R of z. */
 static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const algsurf_i_point *z,
                       algsurf_scaled R, int *answer) {
-    algsurf_scaled far = algsurf_i_scaled_join(algsurf_i_scaled_size(z->head), R, 1);
-    algsurf_scaled change = algsurf_i_scaled_none();
+    algsurf_scaled far = sum(size_of(z->head), R), change = scaled_none();
     if (!algsurf_i_taylor(sums, &h->p, z, 0, z->w + 3)) return 0;
-    for (int k = h->p.re.degree; k > 0; k--)
-        change =
-            algsurf_i_scaled_join(algsurf_i_scaled_times(change, far), algsurf_i_scaled_by(h->size[k], k), 1);
-    change = algsurf_i_scaled_join(algsurf_i_scaled_times(change, R), sums->at->lost, 1);
-    *answer = algsurf_i_scaled_less(algsurf_i_scaled_by(change, 1 + 0x1p-20),
-                                    algsurf_i_scaled_size(algsurf_i_sum_head(sums->at)));
+    for (int k = h->p.re.degree; k > 0; k--) change = sum(times(change, far), by(h->size[k], k));
+    change = sum(times(change, R), sums->at->lost);
+    *answer = less(by(change, 1 + 0x1p-20), size_of(algsurf_i_sum_head(sums->at)));
     return 1;
 }
 
@@ -100,7 +107,7 @@ static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *told) {
         algsurf_i_point z = {.room = 0};
         int is_out, mate_is_out;
         algsurf_scaled R;
-        if (d->root[root->group].members > 1) return !(*told = 0);
+        if (!is_alone(d, i)) return !(*told = 0);
         if (!algsurf_i_centre(d, i, 0, &z, &R)) return 0;
         if (!is_no_root(&d->sums, h, &z, R, &is_out)) return 0;
         if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(&d->sums, h, &z, R, &mate_is_out)) return 0;
@@ -118,26 +125,17 @@ static int choose_all(algsurf_i_discs *d, const algsurf_i_integers *h) {
     }
 }
 
-/* Roots by factors. */
-typedef struct factors {
-    algsurf_memory *m;
-    algsurf_i_answer *answer;
-    int *proposed, *moved;
-} factors;
-
 /* The roots of f, which is squarefree; h not null: those that h has, too. */
-static int solve_factor(factors *s, const algsurf_zpoly *f, int multiplicity, const algsurf_i_integers *h) {
-    algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
+static int solve_factor(algsurf_memory *m, const algsurf_zpoly *f, int multiplicity,
+                        const algsurf_i_integers *h, algsurf_i_answer *answer) {
+    algsurf_i_integers z;
     algsurf_i_discs d;
     int open;
-    algsurf_scaled *at = algsurf_i_take(s->m, (size_t)f->degree * sizeof *at);
-    if (!at || !algsurf_i_make_heads(s->m, &z)) return 0;
-    if (!algsurf_i_propose(s->m, &z, NULL, at, s->proposed)) return 0;
-    if (!algsurf_i_discs_begin(&d, s->m, &z.p, at)) return 0;
+    if (!algsurf_i_make_integers(m, f, NULL, &z)) return 0;
+    if (!algsurf_i_discs_begin(&d, m, &z, NULL, &answer->proposed)) return 0;
     if (h ? !choose_all(&d, h) : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
-    *s->moved += d.moved;
     z.p.real = !h;
-    return algsurf_i_deliver(&d, multiplicity, s->answer);
+    return algsurf_i_deliver(&d, multiplicity, answer);
 }
 
 /* ---- all factors ---- */
@@ -154,18 +152,19 @@ static int make_factor(algsurf_memory *m, const algsurf_zpoly *share, int count,
 }
 
 /* Each share of the roots of p by itself, if there are multiple ones, or h is given. */
-static int solve_shares(factors *s, const algsurf_zpoly *p, const algsurf_i_integers *h, int always) {
+static int solve_shares(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_i_integers *h, int always,
+                        algsurf_i_answer *answer) {
     int highest;
-    algsurf_memory_mark mark = algsurf_memory_here(s->m);
-    algsurf_zpoly *share = algsurf_i_take(s->m, (size_t)(p->degree + 1) * sizeof *share), f;
-    if (!share || !algsurf_zpoly_multiplicities(s->m, p, share, &highest)) return 0;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    algsurf_zpoly *share = algsurf_i_take(m, (size_t)(p->degree + 1) * sizeof *share), f;
+    if (!share || !algsurf_zpoly_multiplicities(m, p, share, &highest)) return 0;
     for (int k = 1; k <= highest && (always || highest > 1); k++) {
-        algsurf_memory_mark before = algsurf_memory_here(s->m);
+        algsurf_memory_mark before = algsurf_memory_here(m);
         if (share[k - 1].degree == (k < highest ? share[k].degree : 0)) continue;
-        if (!make_factor(s->m, share, highest, k, &f) || !solve_factor(s, &f, k, h)) return 0;
-        algsurf_memory_release(s->m, before);
+        if (!make_factor(m, share, highest, k, &f) || !solve_factor(m, &f, k, h, answer)) return 0;
+        algsurf_memory_release(m, before);
     }
-    algsurf_memory_release(s->m, mark);
+    algsurf_memory_release(m, mark);
     return 1;
 }
 
@@ -186,36 +185,20 @@ static int make_norm(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zp
     return 1;
 }
 
-/* h = u + iv, of one degree and width. */
-static int make_cofactor(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
-                         algsurf_i_integers *h) {
-    const algsurf_zpoly *part[2] = {u, v};
-    int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
-    *h = (algsurf_i_integers){.bits = NULL};
-    if (!algsurf_zpoly_new(m, n, w, &h->p.re) || !algsurf_zpoly_new(m, n, w, &h->p.im)) return 0;
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k <= part[i]->degree; k++)
-            algsurf_z_copy(algsurf_zpoly_at(i ? &h->p.im : &h->p.re, k), w, algsurf_zpoly_at(part[i], k),
-                           part[i]->width);
-    return algsurf_i_make_heads(m, h);
-}
-
-int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer,
-                            int *proposed, int *moved) {
-    factors s = {m, answer, proposed, moved};
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer) {
     int squarefree;
-    algsurf_parts parts;
     algsurf_zpoly N;
     algsurf_i_integers h;
-    if (!p->im.c) return solve_shares(&s, &p->re, NULL, 0);
+    if (!p->im.c) return solve_shares(m, &p->re, NULL, 0, answer);
     if (!is_squarefree(m, p, &squarefree)) return 0;
     if (squarefree) return 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    parts = (algsurf_parts){.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
+    algsurf_parts parts = {.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
     if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(m, &p->re, &p->im, &parts)) return 0;
-    if (parts.g.degree > 0 && !solve_shares(&s, &parts.g, NULL, 1)) return 0;
-    if (!make_cofactor(m, &parts.u, &parts.v, &h) || !make_norm(m, &parts.u, &parts.v, &N)) return 0;
-    if (N.degree > 0 && !solve_shares(&s, &N, &h, 1)) return 0;
+    if (parts.g.degree > 0 && !solve_shares(m, &parts.g, NULL, 1, answer)) return 0;
+    if (!algsurf_i_make_integers(m, &parts.u, &parts.v, &h) || !make_norm(m, &parts.u, &parts.v, &N))
+        return 0;
+    if (N.degree > 0 && !solve_shares(m, &N, &h, 1, answer)) return 0;
     algsurf_memory_release(m, mark);
     return 1;
 }

@@ -12,19 +12,15 @@
 
 #include "discs.h"
 
-static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
-
-static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
-
 int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer) {
     const algsurf_i_disc *root = d->root + i;
     algsurf_scaled far;
     *answer = !less(root->disc, by(root->z.above, 1 - 0x1p-50));
     for (int j = 0; *answer > 0 && j < d->n; j++) {
         if (j == i) continue;
-        if (!algsurf_i_difference(d->m, &root->z, &d->root[j].z, &far)) return 0;
-        algsurf_scaled reach = algsurf_i_scaled_join(by(root->disc, 3), d->root[j].disc, 1);
-        if (!less(by(reach, 1 + 0x1p-20), algsurf_i_scaled_size(far))) *answer = -1;
+        if (!difference(d, i, j, &far)) return 0;
+        algsurf_scaled reach = sum(by(root->disc, 3), d->root[j].disc);
+        if (!less(by(reach, 1 + 0x1p-20), size_of(far))) *answer = -1;
     }
     return 1;
 }
@@ -34,8 +30,8 @@ static int set_interval(algsurf_i_discs *d, int i, algsurf_i_root_on_axis *at, i
     algsurf_i_point x = {.room = 0};
     algsurf_scaled R;
     if (!algsurf_i_centre(d, i, 1, &x, &R)) return 0;
-    int exact = algsurf_i_scaled_is_zero(R);
-    *done = exact || less(R, by(algsurf_i_scaled_size(d->root[i].step), 2));
+    int exact = is_zero(R);
+    *done = exact || less(R, by(size_of(d->root[i].step), 2));
     if (!*done) return 1;
     int64_t low = exact ? x.exponent : R.exponent - 10, up = x.exponent - low > 0 ? x.exponent - low : 0;
     int w = x.w + (int)(up / 64) + 2;
@@ -52,32 +48,25 @@ static int set_interval(algsurf_i_discs *d, int i, algsurf_i_root_on_axis *at, i
     return 1;
 }
 
-static int compare(algsurf_i_discs *d, int i, int j, int *sign) {
-    algsurf_scaled a;
-    if (!algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, &a)) return 0;
-    *sign = (a.re > 0) - (a.re < 0);
-    return 1;
-}
-
 /* f_0 is not 0. */
 static int find(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_root_on_axis *at, int *count) {
-    algsurf_i_integers z = {.p = {.re = *f, .real = 1}};
+    algsurf_i_integers z;
     algsurf_i_discs d;
     int open, corrections = 0, n = f->degree, *order = algsurf_i_take(m, (size_t)n * sizeof *order);
-    algsurf_scaled *start = algsurf_i_take(m, (size_t)n * sizeof *start);
     *count = -1;
-    if (!order || !start || !algsurf_i_make_heads(m, &z)) return 0;
-    if (!algsurf_i_propose(m, &z, NULL, start, &corrections)) return 0;
-    if (!algsurf_i_discs_begin(&d, m, &z.p, start) || !algsurf_i_discs_run(&d, most, &open)) return 0;
-    int found = 0, sign, done = open == 0;
+    if (!order || !algsurf_i_make_integers(m, f, NULL, &z)) return 0;
+    if (!algsurf_i_discs_begin(&d, m, &z, NULL, &corrections) || !algsurf_i_discs_run(&d, most, &open))
+        return 0;
+    int found = 0, done = open == 0;
     for (int i = 0; i < n && done; i++) {
         int real, k = found;
         if (!algsurf_i_is_real(&d, i, &real)) return 0;
         if (real < 0) return 1;
         if (real == 0) continue;
         for (; k > 0; order[k] = order[k - 1], k--) {
-            if (!compare(&d, i, order[k - 1], &sign)) return 0;
-            if (sign > 0) break;
+            algsurf_scaled a;
+            if (!difference(&d, i, order[k - 1], &a)) return 0;
+            if (a.re > 0) break;
         }
         order[k] = i;
         found++;

@@ -23,29 +23,7 @@
 #define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
 #define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
 
-static algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_over(a, b); }
-
-static algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_times(a, b); }
-
-static algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_join(a, b, 1); }
-
-static algsurf_scaled by(algsurf_scaled a, double factor) { return algsurf_i_scaled_by(a, factor); }
-
-static algsurf_scaled size_of(algsurf_scaled a) { return algsurf_i_scaled_size(a); }
-
-static int less(algsurf_scaled a, algsurf_scaled b) { return algsurf_i_scaled_less(a, b); }
-
-static algsurf_scaled negative(algsurf_scaled a) { return (algsurf_scaled){-a.re, -a.im, a.exponent}; }
-
-static algsurf_scaled larger(algsurf_scaled a, algsurf_scaled b) { return less(a, b) ? b : a; }
-
-static int is_zero(algsurf_scaled a) { return algsurf_i_scaled_is_zero(a); }
-
-static algsurf_scaled part(double x, int64_t exponent) { return algsurf_i_scaled_of(fabs(x), 0, exponent); }
-
-static int difference(const algsurf_i_discs *d, int i, int j, algsurf_scaled *result) {
-    return algsurf_i_difference(d->m, &d->root[i].z, &d->root[j].z, result);
-}
+static algsurf_scaled part(double x, int64_t exponent) { return scaled_of(fabs(x), 0, exponent); }
 
 /* Lower points that are nearly the conjugates of upper ones become so. */
 static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
@@ -54,21 +32,21 @@ static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
         algsurf_scaled least = part(z[j].im, z[j].exponent - 26);
         for (int i = 0; i < n && z[j].im < 0; i++) {
             algsurf_scaled mate = {z[i].re, -z[i].im, z[i].exponent};
-            if (z[i].im > 0 && less(size_of(algsurf_i_scaled_join(z[j], mate, -1)), least)) paired[j] = mate;
+            if (z[i].im > 0 && less(size_of(sum(z[j], negative(mate))), least)) paired[j] = mate;
         }
     }
 }
 
-int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i_gaussian *p,
-                          const algsurf_scaled *z) {
-    const size_t bytes = (size_t)p->re.degree * sizeof *d->root;
-    *d = (algsurf_i_discs){.p = p, .m = m, .n = p->re.degree, .sums = ALGSURF_I_NO_SUMS(m)};
-    d->root = algsurf_i_take(m, bytes);
-    algsurf_scaled *paired = algsurf_i_take(m, (size_t)d->n * sizeof *paired);
-    if (!d->root || !paired) return 0;
-    memset(d->root, 0, bytes);
-    if (p->real) pair(z, d->n, paired), z = paired;
-    for (int i = 0; i < d->n; i++) {
+int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p,
+                          const algsurf_scaled *given, int *corrections) {
+    const int n = p->p.re.degree;
+    *d = (algsurf_i_discs){.p = &p->p, .m = m, .n = n, .sums = {.m = m, .last = -1}};
+    d->root = algsurf_i_take(m, (size_t)n * sizeof *d->root);
+    algsurf_scaled *z = algsurf_i_take(m, 2 * (size_t)n * sizeof *z);
+    if (!d->root || !z || !algsurf_i_propose(m, p, given, z, corrections)) return 0;
+    memset(d->root, 0, (size_t)n * sizeof *d->root);
+    if (d->p->real) pair(z, n, z + n), z += n;
+    for (int i = 0; i < n; i++) {
         d->root[i].width = 2;
         if (!algsurf_i_set_point(m, &d->root[i].z, &algsurf_i_origin, z[i], z[i].exponent - 60, 0)) return 0;
     }
@@ -77,13 +55,11 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, const algsurf_i
 
 /* ---- steps ---- */
 
-static int is_alone(const algsurf_i_discs *d, int i) { return d->root[d->root[i].group].members == 1; }
-
 /* Whether the box about z - step is as narrow as is asked, and the disc does not keep those of others wide:
  * then no share of discs.c exceeds 1/4. */
 static int is_narrow(const algsurf_i_discs *d, int i) {
     const algsurf_i_disc *root = d->root + i;
-    algsurf_scaled at = algsurf_i_scaled_join(root->z.head, root->step, -1), blur = root->blur;
+    algsurf_scaled at = sum(root->z.head, negative(root->step)), blur = root->blur;
     algsurf_scaled x = part(at.re, at.exponent), y = part(at.im, at.exponent), most = larger(x, y);
     if (root->stuck && !less(blur, ALGSURF_I_ENDLESS)) return 1;
     if (!root->stuck && !less(by(root->disc, 8.0 * d->n), root->nearest)) return 0;
@@ -113,13 +89,13 @@ static int move(algsurf_i_discs *d, int i, algsurf_scaled step) {
  */
 static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
     const algsurf_i_disc *root = d->root + i;
-    algsurf_scaled total = algsurf_i_scaled_of(1, 0, 0), a, size = root->z.head;
-    if (is_zero(size)) size = algsurf_i_scaled_of(1, 0, -64);
+    algsurf_scaled total = scaled_of(1, 0, 0), a, size = root->z.head;
+    if (is_zero(size)) size = scaled_of(1, 0, -64);
     double way[2];
     algsurf_i_circle(TURN * i + 0.7, way);
-    *step = algsurf_i_scaled_of(way[0], way[1], size.exponent - 10);
+    *step = scaled_of(way[0], way[1], size.exponent - 10);
     if (!less(root->disc, ALGSURF_I_ENDLESS)) return 1;
-    algsurf_scaled turned = algsurf_i_scaled_none();
+    algsurf_scaled turned = scaled_none();
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
         if (!difference(d, i, j, &a)) return 0;
@@ -163,8 +139,8 @@ static int sharpen(algsurf_i_discs *d, int i, int *done) {
  * where there is no mean. */
 static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_scaled *wide,
                    algsurf_scaled *away) {
-    algsurf_scaled mean = algsurf_i_scaled_none(), a;
-    *wide = algsurf_i_scaled_none(), *away = ALGSURF_I_ENDLESS;
+    algsurf_scaled mean = scaled_none(), a;
+    *wide = scaled_none(), *away = ALGSURF_I_ENDLESS;
     for (int i = 0; i < d->n; i++) {
         if (!difference(d, i, g, &a)) return 0;
         algsurf_scaled size = size_of(a);
@@ -223,7 +199,7 @@ static int place(algsurf_i_discs *d, int g) {
                                          middle.above.re == 0 && d->p->real))
             return 0;
     }
-    for (int j = 0; j <= m; j++) q[j] = sum(size_of(q[j]), j < m ? spread[j] : algsurf_i_scaled_none());
+    for (int j = 0; j <= m; j++) q[j] = sum(size_of(q[j]), j < m ? spread[j] : scaled_none());
     if (is_zero(q[0])) return 1;
     int fit;
     if (!algsurf_i_start(d->m, q, m, z, &fit)) return 0;
@@ -245,7 +221,7 @@ static int place(algsurf_i_discs *d, int g) {
  * largest.  How many these are. */
 static int count_open(algsurf_i_discs *d) {
     int open = 0;
-    for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+    for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
     for (int i = 0; i < d->n; i++) {
         algsurf_scaled *most = &d->root[d->root[i].group].next;
         *most = larger(*most, d->root[i].disc);
@@ -297,7 +273,7 @@ static int snap(algsurf_i_discs *d) {
         if (least < 0x1p-900 || fmax(fabs(z[0]), fabs(z[1])) > 0x1p900) continue;
         root->known = 0;
         d->moved++;
-        if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, algsurf_i_scaled_of(z[0], z[1], 0),
+        if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, scaled_of(z[0], z[1], 0),
                                  ilogb(least) - 53, 0))
             return 0;
     }
@@ -332,7 +308,7 @@ int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
             if (is_cluster(d, g) && !place(d, g)) return 0;
         if (*open == 0 && all_known(d) && !snap(d)) return 0;
         if (*open == 0 && all_known(d)) return 1;
-        for (int i = 0; i < d->n; i++) d->root[i].next = algsurf_i_scaled_none();
+        for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
         for (int j = 0; j < d->n; j++)
             if (!d->root[j].done && !take_step(d, j)) return 0;
     }

@@ -45,11 +45,11 @@ static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z
     trim(next);
     next->head = algsurf_i_head(next->x, next->y, next->w, next->exponent);
     next->above = algsurf_i_head(next->y, next->y, next->w, next->exponent);
-    next->above = algsurf_i_scaled_of(fabs(next->above.re), 0, next->above.exponent);
+    next->above = scaled_of(fabs(next->above.re), 0, next->above.exponent);
     const algsurf_scaled head = next->head;
     next->exact = algsurf_i_head_is_exact(next->x, next->y, next->w);
-    double unit = llabs(head.exponent) < 250 ? algsurf_i_power_of_two(head.exponent) : NAN;
-    if (algsurf_i_scaled_is_zero(head)) unit = 1;
+    double unit = llabs(head.exponent) < 250 ? power_of_two(head.exponent) : NAN;
+    if (is_zero(head)) unit = 1;
     next->flat[0] = head.re * unit, next->flat[1] = head.im * unit;
     next->reach = fmax(fabs(next->flat[0]), fabs(next->flat[1]));
     if (z->room >= next->w) {
@@ -111,11 +111,11 @@ static void subtract_product(algsurf_i_sum *a, const algsurf_i_sum *b, int64_t x
 /* Chunks of the quotient by doubles, what is left by integers, until that is no less. */
 int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
                                 const algsurf_i_sum *b, int factor, int64_t low, int on_axis) {
-    const algsurf_scaled divisor = algsurf_i_scaled_by(algsurf_i_sum_head(b), factor);
+    const algsurf_scaled divisor = by(algsurf_i_sum_head(b), factor);
     algsurf_limb *room = algsurf_memory_take(m, (size_t)b->w + 1);
     if (!room) return 0;
     for (int64_t before = INT64_MAX;;) {
-        algsurf_scaled way = algsurf_i_scaled_over(algsurf_i_sum_head(a), divisor);
+        algsurf_scaled way = over(algsurf_i_sum_head(a), divisor);
         if (way.exponent < low || way.exponent >= before) return 1;
         int64_t x = (int64_t)(way.re * 0x1p50), y = (int64_t)(way.im * 0x1p50);
         before = way.exponent;

@@ -51,7 +51,7 @@ static int copy_of(const algsurf_i_point *z, int up, algsurf_i_point *copy) {
 static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scaled R, int multiplicity,
                int real) {
     entry *e = to->found + to->count;
-    const int exact = algsurf_i_scaled_is_zero(R);
+    const int exact = is_zero(R);
     const int64_t low = exact ? z->exponent : R.exponent - 10;
     *e = (entry){.multiplicity = multiplicity, .real = real, .factor = to->factors};
     if (!copy_of(z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
@@ -71,7 +71,7 @@ int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_
         algsurf_scaled R;
         int real = 0;
         if (root->left_out) continue;
-        if (open || d->root[root->group].members > 1) return to->failed = 1;
+        if (open || !is_alone(d, i)) return to->failed = 1;
         if (d->p->real && !algsurf_i_is_real(d, i, &real)) return 0;
         if (real < 0) return to->failed = 1;
         if (!algsurf_i_centre(d, i, real, &x, &R)) return 0;
@@ -87,14 +87,14 @@ int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_
 
 /* ---- boxes of different factors ---- */
 
-static algsurf_scaled radius_of(const entry *e) { return algsurf_i_scaled_of(e->radius, 0, e->z.exponent); }
+static algsurf_scaled radius_of(const entry *e) { return scaled_of(e->radius, 0, e->z.exponent); }
 
 /* -1: no memory. */
 static int meet(algsurf_memory *m, const entry *a, const entry *b) {
-    algsurf_scaled d, reach = algsurf_i_scaled_join(radius_of(a), radius_of(b), 1);
+    algsurf_scaled d, reach = sum(radius_of(a), radius_of(b));
     if (!algsurf_i_difference(m, &a->z, &b->z, &d)) return -1;
-    d = algsurf_i_scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
-    return !algsurf_i_scaled_less(algsurf_i_scaled_by(reach, 1 + 0x1p-20), d);
+    d = scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
+    return !less(by(reach, 1 + 0x1p-20), d);
 }
 
 /* Whether any two boxes meet; -1: no memory. */
@@ -110,38 +110,21 @@ static int any_meet(algsurf_memory *m, const algsurf_precise_roots *r) {
 
 /* ---- order ---- */
 
-/* The word of a magnitude that begins at bit `from`. */
-static algsurf_limb word_at(algsurf_integer a, int64_t from) {
-    const int w = abs(a.length);
-    if (from <= -64 || from >= 64 * (int64_t)w) return 0;
-    if (from < 0) return a.limbs[0] << -from;
-    int i = (int)(from / 64), rest = (int)(from % 64);
-    algsurf_limb high = i + 1 < w ? a.limbs[i + 1] : 0;
-    return rest ? a.limbs[i] >> rest | high << (64 - rest) : a.limbs[i];
-}
-
-static int64_t top_of(algsurf_integer a, int64_t exponent) {
-    const int w = abs(a.length);
-    return exponent + 64 * (int64_t)(w - 1) + algsurf_limb_bits(a.limbs[w - 1]);
-}
-
-/* The sign of a 2^e - b 2^f. */
-static int compare_numbers(algsurf_integer a, int e, algsurf_integer b, int f) {
-    int sign = (a.length > 0) - (a.length < 0), other = (b.length > 0) - (b.length < 0);
-    if (sign != other || sign == 0) return sign - other;
-    int64_t at = top_of(a, e), end = top_of(b, f);
-    if (at != end) return at > end ? sign : -sign;
-    for (end = e < f ? e : f; at > end; at -= 64) {
-        algsurf_limb x = word_at(a, at - 64 - e), y = word_at(b, at - 64 - f);
-        if (x != y) return x > y ? sign : -sign;
+/* The sign of a 2^e - b 2^f: words from the top of both, of which the first one has the sign. */
+static int compare_numbers(const algsurf_limb *a, int w, int64_t e, const algsurf_limb *b, int v, int64_t f) {
+    int64_t at = (e + 64 * w > f + 64 * v ? e + 64 * w : f + 64 * v) - 64;
+    algsurf_limb sign = (algsurf_limb)1 << 63;
+    for (; at > (e < f ? e : f) - 64; at -= 64, sign = 0) {
+        algsurf_limb x = algsurf_i_limb_at(a, w, at - e) ^ sign, y = algsurf_i_limb_at(b, v, at - f) ^ sign;
+        if (x != y) return x > y ? 1 : -1;
     }
     return 0;
 }
 
 static int compare(const void *left, const void *right) {
-    const algsurf_precise_root *a = left, *b = right;
-    int sign = compare_numbers(a->re, a->exponent, b->re, b->exponent);
-    return sign ? sign : compare_numbers(a->im, a->exponent, b->im, b->exponent);
+    const algsurf_i_point *a = &((const entry *)left)->z, *b = &((const entry *)right)->z;
+    int sign = compare_numbers(a->x, a->w, a->exponent, b->x, b->w, b->exponent);
+    return sign ? sign : compare_numbers(a->y, a->w, a->exponent, b->y, b->w, b->exponent);
 }
 
 /* The number in place of which its magnitude is left. */
@@ -186,8 +169,7 @@ static algsurf_status find(const algsurf_integer *re, const algsurf_integer *im,
     int at_zero;
     algsurf_status status = algsurf_i_find_precise_roots(re, im, degree, limit, r, &at_zero);
     if (status == ALGSURF_OK && r->failed) status = ALGSURF_NOT_CONVERGED;
-    if (status == ALGSURF_OK && at_zero > 0 &&
-        !add(r, &algsurf_i_origin, algsurf_i_scaled_none(), at_zero, 1))
+    if (status == ALGSURF_OK && at_zero > 0 && !add(r, &algsurf_i_origin, scaled_none(), at_zero, 1))
         status = ALGSURF_E_NO_MEMORY;
     if (status == ALGSURF_OK && (*met = any_meet(&m, r)) < 0) status = ALGSURF_E_NO_MEMORY;
     algsurf_memory_release(&m, mark);
@@ -200,6 +182,7 @@ static algsurf_status create(const algsurf_integer *re, const algsurf_integer *i
     int met = 0;
     r->bits = bits;
     while ((status = find(re, im, degree, limit, r, &met)) == ALGSURF_OK && met) drop(r), r->bits *= 2;
+    qsort(r->found, (size_t)r->count, sizeof *r->found, compare);
     for (int i = 0; i < r->count; i++) {
         const entry *e = r->found + i;
         r->root[i] = (algsurf_precise_root){.re = integer_of(e->z.x, e->z.w),
@@ -209,7 +192,6 @@ static algsurf_status create(const algsurf_integer *re, const algsurf_integer *i
                                             .multiplicity = e->multiplicity,
                                             .real = e->real};
     }
-    qsort(r->root, (size_t)r->count, sizeof *r->root, compare);
     return status;
 }
 

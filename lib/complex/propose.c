@@ -46,7 +46,7 @@ int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, a
         for (int j = 0; j < m; j++, i++) {
             double point[2];
             algsurf_i_circle(turn * ((double)j / m + golden * e + 0.11), point);
-            z[i] = algsurf_i_scaled_of(rho * point[0], rho * point[1], (int64_t)whole);
+            z[i] = scaled_of(rho * point[0], rho * point[1], (int64_t)whole);
         }
     }
     for (int e = 0; e < count; e++) {
@@ -168,7 +168,7 @@ int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *poly, const algsurf
     p.unit_of_reach = 1 / p.reach;
     const algsurf_i_allroots_kernel *kernel = algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL));
     for (int k = 0, left = n; k < SWEEPS && left > 0; k++) *corrections += left, left = sweep(&p, kernel);
-    for (int i = 0; i < n; i++) z[i] = algsurf_i_scaled_of(p.a.x[i], p.a.y[i], unit);
+    for (int i = 0; i < n; i++) z[i] = scaled_of(p.a.x[i], p.a.y[i], unit);
     algsurf_memory_release(m, mark);
     return 1;
 }

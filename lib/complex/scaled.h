@@ -19,73 +19,72 @@ typedef struct algsurf_scaled {
     (-((int64_t)1 << 48)) /* below all others: no sum or difference of exponents leaves 64 bits */
 
 /* 2^k for |k| <= 1022. */
-static inline double algsurf_i_power_of_two(int64_t k) {
+static inline double power_of_two(int64_t k) {
     uint64_t image = (uint64_t)(k + 1023) << 52;
     double x;
     memcpy(&x, &image, sizeof x);
     return x;
 }
 
+static inline algsurf_scaled scaled_none(void) { return (algsurf_scaled){0, 0, ALGSURF_SCALED_NONE}; }
+
 /* x, y: 0 or normal, with magnitudes between 2^-1000 and 2^1000. */
-static inline algsurf_scaled algsurf_i_scaled_of(double x, double y, int64_t exponent) {
+static inline algsurf_scaled scaled_of(double x, double y, int64_t exponent) {
     double size = x < 0 ? -x : x, other = y < 0 ? -y : y;
     uint64_t image;
     if (other > size) size = other;
-    if (size == 0) return (algsurf_scaled){0, 0, ALGSURF_SCALED_NONE};
+    if (size == 0) return scaled_none();
     memcpy(&image, &size, sizeof image);
     int64_t k = (int64_t)(image >> 52) - 1023;
-    double unit = algsurf_i_power_of_two(-k);
+    double unit = power_of_two(-k);
     return (algsurf_scaled){x * unit, y * unit, exponent + k};
 }
 
-static inline algsurf_scaled algsurf_i_scaled_none(void) {
-    return (algsurf_scaled){0, 0, ALGSURF_SCALED_NONE};
-}
+static inline int is_zero(algsurf_scaled a) { return a.re == 0 && a.im == 0; }
 
-static inline int algsurf_i_scaled_is_zero(algsurf_scaled a) { return a.re == 0 && a.im == 0; }
-
-static inline algsurf_scaled algsurf_i_scaled_times(algsurf_scaled a, algsurf_scaled b) {
-    return algsurf_i_scaled_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re, a.exponent + b.exponent);
+static inline algsurf_scaled times(algsurf_scaled a, algsurf_scaled b) {
+    return scaled_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re, a.exponent + b.exponent);
 }
 
 /* a = a (x + iy) 2^exponent, not normalised: parts of a stay below 2^300, x and y are below 2^300, the larger
  * one above 2^-300. */
-static inline void algsurf_i_scaled_multiply(algsurf_scaled *a, double x, double y, int64_t exponent) {
+static inline void scaled_multiply(algsurf_scaled *a, double x, double y, int64_t exponent) {
     double re = a->re * x - a->im * y, im = a->re * y + a->im * x, size = fabs(re) + fabs(im);
     a->re = re, a->im = im, a->exponent += exponent;
-    if (!(size > 0x1p-300 && size < 0x1p300)) *a = algsurf_i_scaled_of(re, im, a->exponent);
+    if (!(size > 0x1p-300 && size < 0x1p300)) *a = scaled_of(re, im, a->exponent);
 }
 
 /* A factor within 2^+-900. */
-static inline algsurf_scaled algsurf_i_scaled_by(algsurf_scaled a, double factor) {
-    return algsurf_i_scaled_of(a.re * factor, a.im * factor, a.exponent);
+static inline algsurf_scaled by(algsurf_scaled a, double factor) {
+    return scaled_of(a.re * factor, a.im * factor, a.exponent);
 }
 
 /* b is not 0. */
-static inline algsurf_scaled algsurf_i_scaled_over(algsurf_scaled a, algsurf_scaled b) {
+static inline algsurf_scaled over(algsurf_scaled a, algsurf_scaled b) {
     double square = b.re * b.re + b.im * b.im;
-    return algsurf_i_scaled_of((a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square,
-                               a.exponent - b.exponent);
+    return scaled_of((a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square,
+                     a.exponent - b.exponent);
 }
 
-/* a + sign b, rounded: off by u of the larger one in each part. */
-static inline algsurf_scaled algsurf_i_scaled_join(algsurf_scaled a, algsurf_scaled b, double sign) {
-    if (b.exponent > a.exponent) {
-        double unit = b.exponent - a.exponent < 900 ? algsurf_i_power_of_two(a.exponent - b.exponent) : 0;
-        return algsurf_i_scaled_of(a.re * unit + sign * b.re, a.im * unit + sign * b.im, b.exponent);
-    }
-    double unit = a.exponent - b.exponent < 900 ? sign * algsurf_i_power_of_two(b.exponent - a.exponent) : 0;
-    return algsurf_i_scaled_of(a.re + unit * b.re, a.im + unit * b.im, a.exponent);
+static inline algsurf_scaled negative(algsurf_scaled a) { return (algsurf_scaled){-a.re, -a.im, a.exponent}; }
+
+/* a + b, rounded: off by u of the larger one in each part. */
+static inline algsurf_scaled sum(algsurf_scaled a, algsurf_scaled b) {
+    const int64_t down = a.exponent > b.exponent ? a.exponent - b.exponent : b.exponent - a.exponent;
+    const double unit = down < 900 ? power_of_two(-down) : 0;
+    if (b.exponent > a.exponent) return scaled_of(a.re * unit + b.re, a.im * unit + b.im, b.exponent);
+    return scaled_of(a.re + unit * b.re, a.im + unit * b.im, a.exponent);
 }
 
 /* |a|, up to 3 u of it. */
-static inline algsurf_scaled algsurf_i_scaled_size(algsurf_scaled a) {
-    return algsurf_i_scaled_of(sqrt(a.re * a.re + a.im * a.im), 0, a.exponent);
+static inline algsurf_scaled size_of(algsurf_scaled a) {
+    return scaled_of(sqrt(a.re * a.re + a.im * a.im), 0, a.exponent);
 }
 
-/* Sizes: a < b. */
-static inline int algsurf_i_scaled_less(algsurf_scaled a, algsurf_scaled b) {
+/* Sizes: a < b; the larger one. */
+static inline int less(algsurf_scaled a, algsurf_scaled b) {
     return a.exponent != b.exponent ? a.exponent < b.exponent : a.re < b.re;
 }
+static inline algsurf_scaled larger(algsurf_scaled a, algsurf_scaled b) { return less(a, b) ? b : a; }
 
 #endif

@@ -8,8 +8,7 @@
 #include "../base/arithmetic.h"
 #include "discs.h"
 
-/* 64 bits of a from bit `from` on, which may be negative. */
-static algsurf_limb limb_at(const algsurf_limb *a, int w, int64_t from) {
+algsurf_limb algsurf_i_limb_at(const algsurf_limb *a, int w, int64_t from) {
     if (from >= 64 * (int64_t)w) return 0 - (a[w - 1] >> 63);
     if (from >= 0) return algsurf_z_window(a, w, (int)from);
     return from > -64 ? a[0] << -from : 0;
@@ -37,8 +36,8 @@ static int bits_of(const algsurf_limb *x, const algsurf_limb *y, int w) {
 
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent) {
     int bits = bits_of(x, y, w) + 1;
-    return algsurf_i_scaled_of((double)(int64_t)limb_at(x, w, bits - 63),
-                               (double)(int64_t)limb_at(y, w, bits - 63), exponent + bits - 63);
+    return scaled_of((double)(int64_t)algsurf_i_limb_at(x, w, bits - 63),
+                     (double)(int64_t)algsurf_i_limb_at(y, w, bits - 63), exponent + bits - 63);
 }
 
 /* Both parts have 53 bits, and the head's window of 63 begins below the last one. */
@@ -98,8 +97,8 @@ static void step(algsurf_i_sum *a, const multiplier *z, term t) {
         top = top > t.exponent + t.bits ? top : t.exponent + t.bits;
         low = low < t.exponent ? low : t.exponent;
     }
-    if (!algsurf_i_scaled_is_zero(a->lost)) a->lost = algsurf_i_scaled_times(a->lost, z->far);
-    if (!algsurf_i_scaled_is_zero(t.lost)) a->lost = algsurf_i_scaled_join(a->lost, t.lost, 1);
+    if (!is_zero(a->lost)) a->lost = times(a->lost, z->far);
+    if (!is_zero(t.lost)) a->lost = sum(a->lost, t.lost);
     algsurf_z_zero(a->re, a->w);
     algsurf_z_zero(a->im, a->w);
     a->bits = -1;
@@ -115,7 +114,7 @@ static void step(algsurf_i_sum *a, const multiplier *z, term t) {
         if (t.im) algsurf_i_add_shifted(a->im, a->w, t.im, t.w, t.exponent - e);
     }
     a->bits = bits_or_none(a->re, a->im, a->w);
-    if (e > low) a->lost = algsurf_i_scaled_join(a->lost, algsurf_i_scaled_of(3, 0, e), 1);
+    if (e > low) a->lost = sum(a->lost, scaled_of(3, 0, e));
 }
 
 /* Room for `last` + 1 sums; what is too small is left to the memory's end. */
@@ -137,13 +136,13 @@ int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsu
     const int wide = w + z->w;
     if (!make_room(s, last, 2 * ((size_t)(last + 1) * (size_t)w + (size_t)wide + (size_t)z->w))) return 0;
     algsurf_limb *room = s->room;
-    multiplier by = {.exponent = z->exponent, .far = algsurf_i_scaled_size(z->head), .wide = wide};
+    multiplier by = {.exponent = z->exponent, .far = size_of(z->head), .wide = wide};
     by.x = algsurf_z_factor_of(z->x, z->w, room), room += z->w;
     by.y = algsurf_z_factor_of(z->y, z->w, room), room += z->w;
     by.re = room, by.im = room + wide, room += 2 * wide;
     by.far.re *= 1 + 0x1p-40;
     for (int j = 0; j <= last; j++, room += 2 * w)
-        s->at[j] = (algsurf_i_sum){room, room + w, w, -1, 0, algsurf_i_scaled_none()};
+        s->at[j] = (algsurf_i_sum){room, room + w, w, -1, 0, scaled_none()};
     for (int k = p->re.degree; k >= 0; k--) {
         for (int j = last; j > 0; j--) {
             const algsurf_i_sum *b = s->at + j - 1;
@@ -151,7 +150,7 @@ int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsu
         }
         step(s->at, &by,
              (term){algsurf_zpoly_at(&p->re, k), p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL, p->re.width,
-                    p->bits[k], 0, algsurf_i_scaled_none()});
+                    p->bits[k], 0, scaled_none()});
     }
     return 1;
 }

@@ -1,12 +1,15 @@
-/* integral.c - polynomials with integer coefficients: room, sizes, derivative.
+/* integral.c - polynomials with integer coefficients: where they come from, sizes, derivative.
  *
  * Widths come first.  Two's complement is arithmetic modulo 2^(64 w): intermediate results may overflow, as
  * long as the final ones fit, so each function of the files integral*.c bounds its results, and chooses w
  * from that. */
 #include "../base/arithmetic.h"
+#include "degree.h"
 #include "integral_impl.h"
 
+#include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int new_unset(algsurf_memory *m, int degree, int width, algsurf_zpoly *p) {
@@ -26,6 +29,49 @@ int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, alg
     if (!new_unset(m, from.degree, width, p)) return 0;
     for (int k = 0; k <= from.degree; k++)
         algsurf_z_copy(algsurf_zpoly_at(p, k), width, algsurf_zpoly_at(&from, k), from.width);
+    return 1;
+}
+
+algsurf_status algsurf_zpoly_check(const algsurf_integer *c, int degree) {
+    int zero = 1;
+    algsurf_status status = algsurf_i_check_degree(degree);
+    if (status != ALGSURF_OK) return status;
+    for (int k = 0; k <= degree; k++) {
+        if (c[k].length < -ALGSURF_MAX_LIMBS || c[k].length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
+        if (c[k].length && !c[k].limbs) return ALGSURF_E_ARGUMENT;
+        zero = zero && algsurf_z_length(c[k].limbs, abs(c[k].length)) == 0;
+    }
+    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
+}
+
+int algsurf_zpoly_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p) {
+    int longest = 0;
+    for (int k = 0; k <= degree; k++) longest = larger(longest, abs(c[k].length));
+    if (!algsurf_zpoly_new(m, degree, longest + 1, p)) return 0;
+    for (int k = 0; k <= degree; k++) {
+        algsurf_limb *a = algsurf_zpoly_at(p, k);
+        if (c[k].length) memcpy(a, c[k].limbs, (size_t)abs(c[k].length) * sizeof *a);
+        if (c[k].length < 0) algsurf_z_negate(a, p->width);
+    }
+    return 1;
+}
+
+int algsurf_zpoly_least_bit(const double *c, int step, int degree, int unit) {
+    int least = ALGSURF_Z_NO_BIT;
+    for (int k = 0, e; k <= degree; k++)
+        if (algsurf_z_odd_part(c[k * step], &e)) least = smaller(least, e + k * unit);
+    return least;
+}
+
+int algsurf_zpoly_from_doubles(algsurf_memory *m, const double *c, int step, int degree, int unit, int least,
+                               algsurf_zpoly *p) {
+    int most = least;
+    for (int k = 0; k <= degree; k++)
+        if (c[k * step] != 0) most = larger(most, ilogb(c[k * step]) + 1 + k * unit);
+    if (!algsurf_zpoly_new(m, degree, algsurf_z_width(most - least), p)) return 0;
+    for (int k = 0; k <= degree; k++)
+        algsurf_z_add_double(algsurf_zpoly_at(p, k), p->width, c[k * step], k * unit - least);
+    *p = algsurf_zpoly_trimmed(p);
     return 1;
 }
 

@@ -7,6 +7,7 @@
 #define ALGSURF_INTEGRAL_H
 #include "../base/integer.h"
 #include "../base/memory.h"
+#include "algsurf/poly.h"
 
 typedef struct algsurf_zpoly {
     int degree;      /* -1: the zero polynomial */
@@ -27,6 +28,17 @@ static inline algsurf_zpoly algsurf_zpoly_trimmed(const algsurf_zpoly *p) {
 
 int algsurf_zpoly_new(algsurf_memory *m, int degree, int width, algsurf_zpoly *p); /* all zero */
 int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, algsurf_zpoly *p);
+/* From a caller's integers: OK; E_ZERO: all are 0; E_DEGREE; E_ARGUMENT: a negative degree, or no integers.
+ */
+algsurf_status algsurf_zpoly_check(const algsurf_integer *c, int degree);
+int algsurf_zpoly_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p);
+/* From finite doubles c_0 = c[0], c_1 = c[step], ...: the exponent of the last bit that is set in any c_k
+ * 2^(k unit), ALGSURF_Z_NO_BIT where there is none; and p_k = c_k 2^(k unit - least), without leading zeros,
+ * for a `least` that is not above it. */
+int algsurf_zpoly_least_bit(const double *c, int step, int degree, int unit);
+int algsurf_zpoly_from_doubles(algsurf_memory *m, const double *c, int step, int degree, int unit, int least,
+                               algsurf_zpoly *p);
+
 int algsurf_zpoly_bits(const algsurf_zpoly *p);     /* the largest algsurf_z_bits of a coefficient */
 int algsurf_zpoly_trailing(const algsurf_zpoly *p); /* the largest power of two that divides all of them */
 /* Cuts leading zero coefficients, a common power of two, limbs too many; in place. */

@@ -261,8 +261,9 @@ static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_
     algsurf_complex_solver_stats stats;
     algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
     if (!expand(q)) return ALGSURF_E_RANGE;
-    algsurf_status status = algsurf_i_all_roots(q->c, q->r, q->surface->degree, q->real,
-                                                start_in_v(q, start, v), local, count, &stats);
+    algsurf_status status =
+        algsurf_i_all_roots(&q->c->re, q->real ? NULL : &q->c->im, 2, q->r, q->surface->degree,
+                            start_in_v(q, start, v), local, count, &stats);
     if (status == ALGSURF_OK) *iterations = stats.iterations;
     return status;
 }

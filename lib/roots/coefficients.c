@@ -95,14 +95,14 @@ int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_v
     algsurf_limb block[512];
     algsurf_memory memory;
     algsurf_zpoly q;
-    int e, low = algsurf_exact_least_bit(p->c, p->degree, 0);
+    int e, low = algsurf_zpoly_least_bit(p->c, 1, p->degree, 0);
     algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
     *value = (algsurf_i_value){0};
     if (vanishes_plainly(p, x)) return 1;
     if (low == ALGSURF_Z_NO_BIT) low = 0;
     algsurf_memory_mark begin =
         algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
-    int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
+    int done = algsurf_zpoly_from_doubles(&memory, p->c, 1, p->degree, 0, low, &q) &&
                exact_step(&memory, &q, N, odd ? -e : 0, value);
     value->exponent += low;
     algsurf_memory_release(&memory, begin);

@@ -16,16 +16,8 @@ static int unit_of(double lo, double hi) {
     return isfinite(lo) && isfinite(hi) ? algsurf_exact_piece_of(lo, hi).unit : 0;
 }
 
-int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p) {
-    int longest = 0;
-    for (int k = 0; k <= degree; k++)
-        if (abs(c[k].length) > longest) longest = abs(c[k].length);
-    if (!algsurf_zpoly_new(m, degree, longest + 1, p)) return 0;
-    for (int k = 0; k <= degree; k++) {
-        algsurf_limb *a = algsurf_zpoly_at(p, k);
-        if (c[k].length) memcpy(a, c[k].limbs, (size_t)abs(c[k].length) * sizeof *a);
-        if (c[k].length < 0) algsurf_z_negate(a, p->width);
-    }
+int algsurf_i_take_integers(algsurf_memory *m, const algsurf_i_line *line, algsurf_zpoly *p) {
+    if (!algsurf_zpoly_from_integers(m, line->z, line->p.degree, p)) return 0;
     algsurf_zpoly_compact(p);
     return 1;
 }
@@ -61,7 +53,7 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
     *count = 0;
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     int done = c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
-                 : algsurf_i_from_integers(&memory, line->z, line->p.degree, &p);
+                 : algsurf_i_take_integers(&memory, line, &p);
     if (done && p.degree > 0 && !is_no_root(&memory, line, &p, unit, &done) && done) {
         if (watch) {
             scaled = *watch;
@@ -83,11 +75,11 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
  * coefficients. */
 static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int unit, algsurf_zpoly *centre,
                        algsurf_zpoly *radius) {
-    int least = algsurf_exact_least_bit(p->c, p->degree, unit),
-        of_radii = algsurf_exact_least_bit(p->r, p->degree, unit);
+    int least = algsurf_zpoly_least_bit(p->c, 1, p->degree, unit),
+        of_radii = algsurf_zpoly_least_bit(p->r, 1, p->degree, unit);
     if (of_radii < least) least = of_radii;
-    return algsurf_exact_from_doubles_above(m, p->c, p->degree, unit, least, centre) &&
-           algsurf_exact_from_doubles_above(m, p->r, p->degree, unit, least, radius);
+    return algsurf_zpoly_from_doubles(m, p->c, 1, p->degree, unit, least, centre) &&
+           algsurf_zpoly_from_doubles(m, p->r, 1, p->degree, unit, least, radius);
 }
 
 /* A range's bracket.  With lo = hi, a root only where all of the set vanish. */

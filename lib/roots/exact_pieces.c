@@ -38,28 +38,9 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     }
 }
 
-int algsurf_exact_least_bit(const double *c, int degree, int unit) {
-    int least = ALGSURF_Z_NO_BIT;
-    for (int k = 0, e; k <= degree; k++)
-        if (algsurf_z_odd_part(c[k], &e) && e + k * unit < least) least = e + k * unit;
-    return least;
-}
-
-int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
-                                     algsurf_zpoly *p) {
-    int most = least;
-    for (int k = 0; k <= degree; k++)
-        if (c[k] != 0 && ilogb(c[k]) + 1 + k * unit > most) most = ilogb(c[k]) + 1 + k * unit;
-    if (!algsurf_zpoly_new(m, degree, algsurf_z_width(most - least), p)) return 0;
-    for (int k = 0; k <= degree; k++)
-        if (c[k] != 0) algsurf_z_add_double(algsurf_zpoly_at(p, k), p->width, c[k], k * unit - least);
-    *p = algsurf_zpoly_trimmed(p);
-    return 1;
-}
-
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
-    int least = algsurf_exact_least_bit(c, degree, unit);
-    return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
+    int least = algsurf_zpoly_least_bit(c, 1, degree, unit);
+    return algsurf_zpoly_from_doubles(m, c, 1, degree, unit, least, p);
 }
 
 static int ceiling_of_quotient(int a, int b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }

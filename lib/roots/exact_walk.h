@@ -18,7 +18,7 @@
 #ifndef ALGSURF_ROOTS_EXACT_WALK_H
 #define ALGSURF_ROOTS_EXACT_WALK_H
 #include "algsurf/isolate.h"
-#include "../complex/discs.h"
+#include "../complex/impl.h"
 #include "../poly/integral.h"
 #include "coefficients.h"
 #include "watch.h"
@@ -116,13 +116,8 @@ enum { ALGSURF_EXACT_NO_MEMORY = -1, ALGSURF_EXACT_END = 0, ALGSURF_EXACT_ROOT =
  * at its end.  On one side of 0 if lo and hi are. */
 algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi);
 
-/* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j. */
+/* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j, with the least k. */
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p);
-/* The same with k given: k = -least, no coefficient c_j 2^(j unit) having bits below 2^least. */
-int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
-                                     algsurf_zpoly *p);
-/* The exponent of the last bit that is set in any c_j 2^(j unit), ALGSURF_Z_NO_BIT where there is none. */
-int algsurf_exact_least_bit(const double *c, int degree, int unit);
 
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  Memory is taken until algsurf_exact_end.  Returns 0 when
@@ -221,6 +216,4 @@ int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *roo
  * beyond all roots, without a value. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
-/* decide.c: a polynomial from a caller's integers; returns 0 without memory. */
-int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p);
 #endif

@@ -56,8 +56,8 @@ int algsurf_i_integers_round(const algsurf_i_line *line, double *c, double *r, i
     algsurf_memory memory;
     algsurf_zpoly z;
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    int done = line->p.degree <= ALGSURF_MAX_DEGREE &&
-               algsurf_i_from_integers(&memory, line->z, line->p.degree, &z) && round_all(&z, c, r);
+    int done = line->p.degree <= ALGSURF_MAX_DEGREE && algsurf_i_take_integers(&memory, line, &z) &&
+               round_all(&z, c, r);
     if (done) *degree = z.degree;
     algsurf_memory_release(&memory, begin);
     return done;
@@ -70,7 +70,7 @@ int algsurf_i_integers_close_in(const algsurf_i_line *line, const algsurf_bracke
     algsurf_zpoly z;
     int i = 0;
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    if (algsurf_i_from_integers(&memory, line->z, line->p.degree, &z))
+    if (algsurf_i_take_integers(&memory, line, &z))
         while (i < count && roots[i].multiplicity && close_in(&memory, &z, b + i, roots[i].root, roots + i))
             i++;
     algsurf_memory_release(&memory, begin);

@@ -11,36 +11,21 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
-#include "../base/integer.h"
 #include "../base/options.h"
-#include "../poly/degree.h"
 #include "line.h"
 
-static algsurf_status check_shape(const algsurf_i_line *line) {
-    return line->p.c || line->z ? algsurf_i_check_interval(line->lo, line->hi) : ALGSURF_E_ARGUMENT;
-}
-
-/* ---- refined ---- */
-
-static algsurf_status check_integers(const algsurf_integer *z, int degree) {
-    int zero = 1;
-    algsurf_status status = algsurf_i_check_degree(degree);
+static algsurf_status check_coefficients(algsurf_i_line *line) {
+    if (!line->p.c && !line->z) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_interval(line->lo, line->hi);
     if (status != ALGSURF_OK) return status;
-    for (int k = 0; k <= degree; k++) {
-        if (z[k].length < -ALGSURF_MAX_LIMBS || z[k].length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
-        if (z[k].length && !z[k].limbs) return ALGSURF_E_ARGUMENT;
-        zero = zero && algsurf_z_length(z[k].limbs, abs(z[k].length)) == 0;
-    }
-    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
+    return line->z ? algsurf_zpoly_check(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
 }
 
 static ALGSURF_NOINLINE algsurf_status find(algsurf_i_line *line, algsurf_real_root *roots, int capacity,
                                             int *count) {
     algsurf_real_root found[ALGSURF_MAX_POLY_DEGREE];
     int n = 0;
-    algsurf_status status = check_shape(line);
-    if (status == ALGSURF_OK)
-        status = line->z ? check_integers(line->z, line->p.degree) : algsurf_i_check_coefficients(&line->p);
+    algsurf_status status = check_coefficients(line);
     if (status == ALGSURF_OK) status = algsurf_i_line_solve(line, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_CAPACITY;
@@ -137,8 +122,7 @@ static algsurf_status give(task *t) {
 
 static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     algsurf_i_line *line = &t->line;
-    algsurf_status status = check_shape(line);
-    if (status == ALGSURF_OK) status = algsurf_i_check_coefficients(&line->p);
+    algsurf_status status = check_coefficients(line);
     if (status != ALGSURF_OK) return status;
     int whole = line->lo == -HUGE_VAL && line->hi == HUGE_VAL;
     if (line->wanted == ALGSURF_I_NUMBER && (line->p.r || !whole)) line->wanted = ALGSURF_I_ALL;

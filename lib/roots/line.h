@@ -4,6 +4,7 @@
 #define ALGSURF_LINE_H
 #include "algsurf/allroots.h"
 #include "algsurf/isolate.h"
+#include "../poly/integral.h"
 #include "coefficients.h"
 #include "watch.h"
 
@@ -93,6 +94,9 @@ int algsurf_i_integers_close_in(const algsurf_i_line *line, const algsurf_bracke
                                 algsurf_real_root *roots);
 
 /* ---- decide.c: by integers ---- */
+
+/* line->z without a common power of two; returns 0 without memory. */
+int algsurf_i_take_integers(algsurf_memory *m, const algsurf_i_line *line, algsurf_zpoly *p);
 
 /* The roots on a line in increasing order, whatever is wanted, the first `capacity` of them; the degree
  * always suffices.  lo = hi is a root; else there is one in (lo,hi), with the sign before it, and either
