@@ -13,7 +13,7 @@
 #include "exact_roots.h"
 #include "exact_zpolys.h"
 
-#include "roots/exact_radii.h"
+#include "roots/exact_walk.h"
 #include "unit.h"
 
 #define SEED 20250313u

@@ -13,6 +13,7 @@
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "../poly/value.h"
 #include "discs.h"
 
 #define OWN_WORDS ((size_t)(15 << 10) / sizeof(uint64_t)) /* on the stack */
@@ -41,11 +42,11 @@ static double extent(const problem *s, int k) {
 
 static algsurf_status read_doubles(problem *s, int degree) {
     int known = 1, complex = 0, turned = 1; /* turned: i times real ones, which have the same roots */
+    algsurf_status status = algsurf_i_check_polynomial(s->part[0], s->step, s->r, degree);
+    if (status != ALGSURF_OK) return status;
     s->low = degree, s->high = -1;
     for (int k = 0; k <= degree; k++) {
         double x = entry(s, 0, k), y = entry(s, 1, k), r = s->r ? s->r[k] : 0;
-        if (!isfinite(x) || !isfinite(y) || !isfinite(r)) return ALGSURF_E_NOT_FINITE;
-        if (r < 0) return ALGSURF_E_ARGUMENT;
         known = known && r == 0, complex = complex || y != 0, turned = turned && x == 0;
         if (x == 0 && y == 0 && r == 0) continue;
         if (s->low > k) s->low = k;
@@ -232,7 +233,7 @@ algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const 
     if (!solver || !roots || !count) return ALGSURF_E_ARGUMENT;
     if (stats && !algsurf_options_fit(stats, sizeof *stats)) return ALGSURF_E_SIZE;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
-    if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
+    if (!c) return ALGSURF_E_ARGUMENT;
     algsurf_status status;
     ALGSURF_STANDARD(status = algsurf_i_all_roots(&c->re, &c->im, 2, r, degree, start, roots, count, &known));
     if (status >= ALGSURF_OK && stats) algsurf_options_write(stats, &known, sizeof known);

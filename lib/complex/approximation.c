@@ -11,12 +11,16 @@
 #include "papers.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
-#include "../poly/degree.h"
+#include "../poly/value.h"
 
 #define UNIT_LIMIT 1100 /* beyond it z is 0 or infinite as a double */
 
-algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsurf_paper_options *options) {
+algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree,
+                                     const algsurf_paper_options *given, algsurf_paper_options *options) {
     algsurf_paper_options o = {sizeof o, 0, 0, 0};
+    if (!p || degree == 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_check_polynomial(&p->re, 2, r, degree);
+    if (status != ALGSURF_OK) return status;
     if (given && algsurf_options_read(&o, sizeof o, given) != ALGSURF_OK) return ALGSURF_E_SIZE;
     if (!isfinite(o.relative_step)) return ALGSURF_E_NOT_FINITE;
     if (o.relative_step < 0 || o.max_steps < 0 || o.max_inflations < 0) return ALGSURF_E_ARGUMENT;
@@ -25,16 +29,6 @@ algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsu
     if (o.max_inflations == 0) o.max_inflations = 10;
     *options = o;
     return ALGSURF_OK;
-}
-
-algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree) {
-    if (!p || degree == 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_check_degree(degree);
-    for (int k = 0; status == ALGSURF_OK && k <= degree; k++) {
-        if (!algsurf_i_finite(p[k]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
-        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
-    }
-    return status;
 }
 
 int algsurf_i_unit_near(const algsurf_complex *p, int n, algsurf_complex z) {
@@ -200,8 +194,7 @@ static ALGSURF_NOINLINE algsurf_status approximate(const algsurf_complex *p, int
     algsurf_paper_options options;
     algsurf_complex found[ALGSURF_MAX_POLY_DEGREE];
     int count;
-    algsurf_status status = algsurf_i_paper_check(p, NULL, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, NULL, degree, given, &options);
     if (status != ALGSURF_OK) return status;
     if (!algsurf_i_finite(start)) return ALGSURF_E_NOT_FINITE;
     if (!z || !q || algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ARGUMENT;

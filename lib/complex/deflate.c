@@ -10,18 +10,15 @@
 #include "../base/arithmetic.h"
 #include "papers.h"
 #include "../base/fpenv.h"
+#include "../poly/interval_impl.h"
 
 static const algsurf_complex cold_start = {0, 1};
-
-static int meet(algsurf_cinterval a, algsurf_cinterval b) {
-    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
-}
 
 static int all_disjoint(const algsurf_paper_zero *zeros, int n) {
     for (int i = 0; i < n; i++) {
         if (!zeros[i].verified) return 0;
         for (int j = 0; j < i; j++)
-            if (meet(zeros[i].box, zeros[j].box)) return 0;
+            if (algsurf_i_cinterval_valid(algsurf_i_cinterval_meet(zeros[i].box, zeros[j].box))) return 0;
     }
     return 1;
 }
@@ -53,8 +50,7 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
                                                  algsurf_paper_zero *zeros, int *complete) {
     algsurf_paper_options options;
     algsurf_complex deflated[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
-    algsurf_status status = algsurf_i_paper_check(p, r, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
     if (status != ALGSURF_OK) return status;
     for (int i = 0; start && i < degree; i++)
         if (!algsurf_i_finite(start[i])) return ALGSURF_E_NOT_FINITE;

@@ -4,9 +4,9 @@
 #include "algsurf/allroots.h"
 #include "../poly/integral.h"
 
-/* algsurf_complex_solver_run in the standard environment.  Coefficient k is re[k step] + i im[k step]; im
- * null: it is real, and so is what its radius means.  start may be null.  24 KiB of stack, and memory from
- * elsewhere where that does not suffice. */
+/* algsurf_complex_solver_run in the standard environment.  Coefficient k is re[k step] + i im[k step], with
+ * step 1, im null, or 2, im = re + 1 or null: then it is real, and so is what its radius means.  start may be
+ * null.  24 KiB of stack, and memory from elsewhere where that does not suffice. */
 algsurf_status algsurf_i_all_roots(const double *re, const double *im, int step, const double *r, int degree,
                                    const algsurf_complex *start, algsurf_complex_root *roots, int *count,
                                    algsurf_complex_solver_stats *stats);

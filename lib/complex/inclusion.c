@@ -146,10 +146,6 @@ static int iterate(proof *f, double factor) {
     return inside;
 }
 
-static algsurf_cinterval scale_box(algsurf_cinterval a, int k) {
-    return (algsurf_cinterval){algsurf_i_interval_scale(a.re, k), algsurf_i_interval_scale(a.im, k)};
-}
-
 static algsurf_cinterval quotient_in_unit(const proof *f, int i) {
     if (i == f->n - 1) return f->lead;
     return algsurf_i_cinterval_add(algsurf_i_cinterval_point(f->q[i]), f->box[i]);
@@ -157,7 +153,7 @@ static algsurf_cinterval quotient_in_unit(const proof *f, int i) {
 
 /* p = (X - z) q has a second root in Z, or a double one, only where q vanishes in Z. */
 static int alone(const proof *f, algsurf_cinterval Z) {
-    algsurf_cinterval y = scale_box(Z, -f->unit), value = f->lead;
+    algsurf_cinterval y = algsurf_i_cinterval_scale(Z, -f->unit), value = f->lead;
     for (int i = f->n - 2; i >= 0; i--)
         value = algsurf_i_cinterval_add(algsurf_i_cinterval_mul(value, y), quotient_in_unit(f, i));
     return !algsurf_i_cinterval_has_zero(value);
@@ -177,10 +173,11 @@ algsurf_status algsurf_i_paper_inclusion(const algsurf_complex *p, const double 
     }
     *inflations = count;
     if (!inside) return ALGSURF_NOT_VERIFIED;
-    *Z = scale_box(algsurf_i_cinterval_add(algsurf_i_cinterval_point(f.y), f.box[n - 1]), f.unit);
+    *Z = algsurf_i_cinterval_scale(algsurf_i_cinterval_add(algsurf_i_cinterval_point(f.y), f.box[n - 1]),
+                                   f.unit);
     if (unique) *unique = alone(&f, *Z);
     for (int i = 0; Q && i < n - 1; i++)
-        Q[i] = scale_box(quotient_in_unit(&f, i), f.exponent - (i + 1) * f.unit);
+        Q[i] = algsurf_i_cinterval_scale(quotient_in_unit(&f, i), f.exponent - (i + 1) * f.unit);
     if (Q) Q[n - 1] = caround(p[n], r ? r[n] : 0);
     return ALGSURF_OK;
 }
@@ -193,8 +190,7 @@ static ALGSURF_NOINLINE algsurf_status include(const algsurf_complex *p, const d
                                                algsurf_cinterval *Q, int *unique, int *inflations) {
     algsurf_paper_options options;
     int count;
-    algsurf_status status = algsurf_i_paper_check(p, r, degree);
-    if (status == ALGSURF_OK) status = algsurf_i_paper_options(given, &options);
+    algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
     if (status != ALGSURF_OK) return status;
     if (!q || !Z || algsurf_i_size(p[degree]) == 0) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < degree; i++)

@@ -6,7 +6,7 @@
 #include "algsurf/allroots.h"
 
 #include "../base/fpenv.h"
-#include "../poly/degree.h"
+#include "../poly/value.h"
 #include "impl.h"
 #include "boxes.h"
 

@@ -18,11 +18,10 @@
 #include "algsurf/papers.h"
 #include "../base/eft.h"
 
-/* The caller's options with defaults filled in. */
-algsurf_status algsurf_i_paper_options(const algsurf_paper_options *given, algsurf_paper_options *options);
-
-/* Finite coefficients and finite radii that are not negative, degree 1..ALGSURF_MAX_POLY_DEGREE. */
-algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree);
+/* Finite coefficients and finite radii that are not negative, degree 1..ALGSURF_MAX_POLY_DEGREE?  The
+ * caller's options with defaults filled in. */
+algsurf_status algsurf_i_paper_check(const algsurf_complex *p, const double *r, int degree,
+                                     const algsurf_paper_options *given, algsurf_paper_options *options);
 
 /* The larger part's magnitude. */
 static inline double algsurf_i_size(algsurf_complex z) { return fmax(fabs(z.re), fabs(z.im)); }

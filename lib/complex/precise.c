@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
-#include "../poly/degree.h"
+#include "../poly/value.h"
 #include "discs.h"
 #include "impl.h"
 
@@ -87,23 +87,18 @@ int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_
 
 /* ---- boxes of different factors ---- */
 
-static algsurf_scaled radius_of(const entry *e) { return scaled_of(e->radius, 0, e->z.exponent); }
-
-/* -1: no memory. */
-static int meet(algsurf_memory *m, const entry *a, const entry *b) {
-    algsurf_scaled d, reach = sum(radius_of(a), radius_of(b));
-    if (!algsurf_i_difference(m, &a->z, &b->z, &d)) return -1;
-    d = scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
-    return !less(by(reach, 1 + 0x1p-20), d);
-}
-
 /* Whether any two boxes meet; -1: no memory. */
 static int any_meet(algsurf_memory *m, const algsurf_precise_roots *r) {
+    algsurf_scaled d;
     for (int i = 0; i < r->count; i++)
         for (int j = 0; j < i; j++) {
-            if (r->found[i].factor == r->found[j].factor) continue;
-            int answer = meet(m, r->found + i, r->found + j);
-            if (answer) return answer;
+            const entry *a = r->found + i, *b = r->found + j;
+            if (a->factor == b->factor) continue;
+            if (!algsurf_i_difference(m, &a->z, &b->z, &d)) return -1;
+            d = scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
+            algsurf_scaled reach =
+                sum(scaled_of(a->radius, 0, a->z.exponent), scaled_of(b->radius, 0, b->z.exponent));
+            if (!less(by(reach, 1 + 0x1p-20), d)) return 1;
         }
     return 0;
 }

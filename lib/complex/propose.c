@@ -16,8 +16,6 @@
 #include <string.h>
 
 #include "discs.h"
-#include "boxes.h"
-#include "../poly/hull.h"
 #include "../base/elementary.h"
 
 #define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
@@ -25,6 +23,21 @@
 #define FLAT 900                /* log2 of what corners of the hull may differ by, */
 #define STEEP 400               /* and slopes of its edges */
 #define LEAST_END 0x1p-700      /* of the first and the last coefficient, for values in doubles */
+
+/* Corners of the upper convex hull of the points (k, height[k]), k = 0 .. n, of which some may be at -inf, by
+ * Andrew's monotone chain (1979); returns how many. */
+static int upper_hull(const double *height, int n, int *corner) {
+    int count = 0;
+    for (int k = 0; k <= n; k++) {
+        if (isinf(height[k])) continue;
+        for (; count >= 2; count--) { /* drop corners that lie on or under the line to the new point */
+            int a = corner[count - 2], b = corner[count - 1];
+            if ((height[b] - height[a]) * (k - a) > (height[k] - height[a]) * (b - a)) break;
+        }
+        corner[count++] = k;
+    }
+    return count;
+}
 
 int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit) {
     const double turn = 6.283185307179586, golden = 0.6180339887498949;
@@ -36,7 +49,7 @@ int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, a
     if (!height || !corner) return 0;
     for (int k = 0; k <= n; k++)
         height[k] = size[k].re > 0 ? algsurf_i_log2(size[k].re) + (double)size[k].exponent : -HUGE_VAL;
-    int count = algsurf_i_upper_hull(height, 0, n, corner);
+    int count = upper_hull(height, n, corner);
     const double mean = (height[0] - height[n]) / n;
     for (int e = 1; e < count; e++) {
         int from = corner[e - 1], m = corner[e] - from;

@@ -122,25 +122,15 @@ static algsurf_status choose(const algsurf_complex_root *roots, int count, int r
     return ALGSURF_OK;
 }
 
-static algsurf_status choose_any(const algsurf_complex_root *roots, int count, const algsurf_sector *sector,
-                                 double lo, double hi, int *selected, int *index) {
-    return choose(roots, count, 0, sector, lo, hi, selected, index);
-}
-
-static algsurf_status choose_of_real(const algsurf_complex_root *roots, int count,
-                                     const algsurf_sector *sector, double lo, double hi, int *selected,
-                                     int *index) {
-    return choose(roots, count, 1, sector, lo, hi, selected, index);
-}
-
 ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
                  (const algsurf_sector *sector, const algsurf_complex_root *root, int *holds),
                  (sector, root, holds))
-ALGSURF_I_PUBLIC(algsurf_status, select, choose_any,
-                 (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
-                  double hi, int *selected, int *index),
-                 (roots, count, sector, lo, hi, selected, index))
-ALGSURF_I_PUBLIC(algsurf_status, select_of_real, choose_of_real,
-                 (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
-                  double hi, int *selected, int *index),
-                 (roots, count, sector, lo, hi, selected, index))
+#define CHOOSE_ANY(roots, count, ...) choose(roots, count, 0, __VA_ARGS__)
+#define CHOOSE_OF_REAL(roots, count, ...) choose(roots, count, 1, __VA_ARGS__)
+#define PUBLIC_CHOICE(name, work)                                                                            \
+    ALGSURF_I_PUBLIC(algsurf_status, name, work,                                                             \
+                     (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo, \
+                      double hi, int *selected, int *index),                                                 \
+                     (roots, count, sector, lo, hi, selected, index))
+PUBLIC_CHOICE(select, CHOOSE_ANY)
+PUBLIC_CHOICE(select_of_real, CHOOSE_OF_REAL)

@@ -52,14 +52,6 @@ int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w)
     return 1;
 }
 
-/* (re + i im) 2^exponent, off by at most `lost`: a coefficient, or a sum. */
-typedef struct term {
-    const algsurf_limb *re, *im; /* im null: real */
-    int w, bits;                 /* -1: 0 */
-    int64_t exponent;
-    algsurf_scaled lost;
-} term;
-
 /* What a sum is multiplied by, and room for the product. */
 typedef struct multiplier {
     algsurf_z_factor x, y;
@@ -88,17 +80,17 @@ static int multiply(const algsurf_i_sum *a, const multiplier *z) {
     return bits_or_none(z->re, z->im, wide);
 }
 
-/* sum = sum z + t. */
-static void step(algsurf_i_sum *a, const multiplier *z, term t) {
+/* sum = sum z + t; t's im may be null: 0. */
+static void step(algsurf_i_sum *a, const multiplier *z, const algsurf_i_sum *t) {
     int64_t top = INT64_MIN, low = INT64_MAX, exponent = a->exponent + z->exponent;
     const int bits = a->bits >= 0 ? multiply(a, z) : -1;
     if (bits >= 0) top = exponent + bits, low = exponent;
-    if (t.bits >= 0) {
-        top = top > t.exponent + t.bits ? top : t.exponent + t.bits;
-        low = low < t.exponent ? low : t.exponent;
+    if (t->bits >= 0) {
+        top = top > t->exponent + t->bits ? top : t->exponent + t->bits;
+        low = low < t->exponent ? low : t->exponent;
     }
     if (!is_zero(a->lost)) a->lost = times(a->lost, z->far);
-    if (!is_zero(t.lost)) a->lost = sum(a->lost, t.lost);
+    if (!is_zero(t->lost)) a->lost = sum(a->lost, t->lost);
     algsurf_z_zero(a->re, a->w);
     algsurf_z_zero(a->im, a->w);
     a->bits = -1;
@@ -109,9 +101,9 @@ static void step(algsurf_i_sum *a, const multiplier *z, term t) {
         algsurf_i_add_shifted(a->re, a->w, z->re, z->wide, exponent - e);
         algsurf_i_add_shifted(a->im, a->w, z->im, z->wide, exponent - e);
     }
-    if (t.bits >= 0) {
-        algsurf_i_add_shifted(a->re, a->w, t.re, t.w, t.exponent - e);
-        if (t.im) algsurf_i_add_shifted(a->im, a->w, t.im, t.w, t.exponent - e);
+    if (t->bits >= 0) {
+        algsurf_i_add_shifted(a->re, a->w, t->re, t->w, t->exponent - e);
+        if (t->im) algsurf_i_add_shifted(a->im, a->w, t->im, t->w, t->exponent - e);
     }
     a->bits = bits_or_none(a->re, a->im, a->w);
     if (e > low) a->lost = sum(a->lost, scaled_of(3, 0, e));
@@ -144,13 +136,13 @@ int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsu
     for (int j = 0; j <= last; j++, room += 2 * w)
         s->at[j] = (algsurf_i_sum){room, room + w, w, -1, 0, scaled_none()};
     for (int k = p->re.degree; k >= 0; k--) {
-        for (int j = last; j > 0; j--) {
-            const algsurf_i_sum *b = s->at + j - 1;
-            step(s->at + j, &by, (term){b->re, b->im, w, b->bits, b->exponent, b->lost});
-        }
-        step(s->at, &by,
-             (term){algsurf_zpoly_at(&p->re, k), p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL, p->re.width,
-                    p->bits[k], 0, scaled_none()});
+        for (int j = last; j > 0; j--) step(s->at + j, &by, s->at + j - 1);
+        const algsurf_i_sum c = {.re = algsurf_zpoly_at(&p->re, k),
+                                 .im = p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL,
+                                 .w = p->re.width,
+                                 .bits = p->bits[k],
+                                 .lost = scaled_none()};
+        step(s->at, &by, &c);
     }
     return 1;
 }

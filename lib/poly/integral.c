@@ -4,7 +4,7 @@
  * long as the final ones fit, so each function of the files integral*.c bounds its results, and chooses w
  * from that. */
 #include "../base/arithmetic.h"
-#include "degree.h"
+#include "value.h"
 #include "integral_impl.h"
 
 #include <math.h>

@@ -28,6 +28,13 @@ static inline algsurf_zpoly algsurf_zpoly_trimmed(const algsurf_zpoly *p) {
 
 int algsurf_zpoly_new(algsurf_memory *m, int degree, int width, algsurf_zpoly *p); /* all zero */
 int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, algsurf_zpoly *p);
+/* Each coefficient plus, or minus, the one before it; then all but the first one again, and so on. */
+static inline void algsurf_zpoly_join_neighbours(const algsurf_zpoly *p, int minus) {
+    for (int i = 0; i < p->degree; i++)
+        for (int k = p->degree; k > i; k--)
+            algsurf_z_join(algsurf_zpoly_at(p, k), algsurf_zpoly_at(p, k - 1), p->width, minus);
+}
+
 /* From a caller's integers: OK; E_ZERO: all are 0; E_DEGREE; E_ARGUMENT: a negative degree, or no integers.
  */
 algsurf_status algsurf_zpoly_check(const algsurf_integer *c, int degree);
@@ -86,6 +93,7 @@ int algsurf_zpoly_split(algsurf_memory *m, const algsurf_zpoly *a, const algsurf
 /* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and
  * g_(i+1) = gcd(g_i, g_i'), s[i] is g_i / g_(i+1) up to a constant.  *count of them, the highest
  * multiplicity, 0 for a constant p; s[0] has all roots once.  count 1: p is squarefree, s[0] is p itself.
- * Equal members of the chain share their coefficients.  `s` has room for p->degree + 1 entries. */
+ * Equal members of the chain share their coefficients.  `s` has room for p->degree + 1 entries.  All that was
+ * taken stays taken. */
 int algsurf_zpoly_multiplicities(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *s, int *count);
 #endif

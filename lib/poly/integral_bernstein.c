@@ -26,21 +26,15 @@ static void divide_by_int(algsurf_limb *a, int w, int d) {
     }
 }
 
-/* factor[k] = lcm C(n,k) / C(n,k), k <= n / 2, w limbs each. */
-static void binomial_factors(algsurf_limb *factor, int n, int w) {
-    algsurf_z_set(factor, w, 1);
-    for (int i = 2; i <= n + 1; i++) { /* lcm(1..n+1): a prime for each of its powers */
+/* a = lcm C(n,k) = lcm(1..n+1) / (n+1). */
+static void set_lcm(algsurf_limb *a, int w, int n) {
+    algsurf_z_set(a, w, 1);
+    for (int i = 2; i <= n + 1; i++) { /* a prime for each of its powers */
         int p = least_prime(i), power = i;
         while (power % p == 0) power /= p;
-        if (power == 1) algsurf_z_multiply(factor, w, (algsurf_limb)p);
+        if (power == 1) algsurf_z_multiply(a, w, (algsurf_limb)p);
     }
-    divide_by_int(factor, w, n + 1);
-    for (int k = 0; k < n / 2; k++) {
-        algsurf_limb *next = factor + (size_t)(k + 1) * (size_t)w;
-        algsurf_z_copy(next, w, factor + (size_t)k * (size_t)w, w);
-        algsurf_z_multiply(next, w, (algsurf_limb)(k + 1));
-        divide_by_int(next, w, n - k);
-    }
+    divide_by_int(a, w, n + 1);
 }
 
 /* An upper bound of 8 log2 M, M = a + b >= 1. */
@@ -134,20 +128,20 @@ static void scale_short(const algsurf_zpoly *b, int used, int q) {
 static int scale_long(algsurf_memory *m, const algsurf_zpoly *b, int used, int q) {
     int n = b->degree, w = b->width, wf = algsurf_z_width(lcm_bits(n) + bits_of_int(n + 1));
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    algsurf_limb *factor = take(m, (n / 2 + 1) * wf), *copy = take(m, w);
-    if (factor && copy) {
-        binomial_factors(factor, n, wf);
-        for (int k = 0; k <= n; k++) {
-            algsurf_limb *a = algsurf_zpoly_at(b, k);
-            algsurf_z_factor f = {0, wf, 0, factor + (size_t)smaller(k, n - k) * (size_t)wf};
-            algsurf_z_copy(copy, w, a, used);
-            algsurf_z_zero(a, w);
-            algsurf_z_add_times(a, w, copy, w, &f, 0);
-            algsurf_z_shift_up(a, w, q >= 0 ? k * q : (k - n) * q);
-        }
+    algsurf_limb *lcm = take(m, wf), *copy = take(m, w);
+    const algsurf_z_factor f = {0, wf, 0, lcm}; /* over C(n,k) */
+    if (lcm && copy) set_lcm(lcm, wf, n);
+    for (int k = 0; lcm && copy && k <= n; k++) {
+        algsurf_limb *a = algsurf_zpoly_at(b, k);
+        algsurf_z_copy(copy, w, a, used);
+        algsurf_z_zero(a, w);
+        algsurf_z_add_times(a, w, copy, w, &f, 0);
+        algsurf_z_shift_up(a, w, q >= 0 ? k * q : (k - n) * q);
+        algsurf_z_multiply(lcm, wf, (algsurf_limb)(k + 1));
+        if (k < n) divide_by_int(lcm, wf, n - k);
     }
     algsurf_memory_release(m, mark);
-    return factor && copy;
+    return lcm && copy;
 }
 
 int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t at, int length_bits,
@@ -165,8 +159,7 @@ int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t a
         scale_short(b, used, q);
     else if (!scale_long(m, b, used, q))
         return 0;
-    for (int i = 0; i < n; i++)
-        for (int j = n; j > i; j--) algsurf_z_add(algsurf_zpoly_at(b, j), algsurf_zpoly_at(b, j - 1), w);
+    algsurf_zpoly_join_neighbours(b, 0);
     algsurf_zpoly_cut(b, algsurf_zpoly_trailing(b)); /* and keep leading zeros: roots at the right end */
     return 1;
 }

@@ -13,15 +13,6 @@ static inline algsurf_limb *take(algsurf_memory *m, int limbs) {
     return algsurf_memory_take(m, (size_t)limbs);
 }
 
-static inline size_t algsurf_zpoly_words(const algsurf_zpoly *p) {
-    return (size_t)(p->degree + 1) * (size_t)p->width;
-}
-
-/* Limbs for the coefficients of any factor of a in Z[x], of degree at most e (Mignotte): |c| <= 2^e |a|_2. */
-static inline int algsurf_zpoly_factor_width(const algsurf_zpoly *a, int e) {
-    return algsurf_z_width(algsurf_zpoly_bits(a) + 1 + e + (bits_of_int(a->degree + 1) + 1) / 2);
-}
-
 /* The coefficients of p as factors; null without memory. */
 algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *p);
 #endif

@@ -116,17 +116,10 @@ typedef struct sum {
 
 /* a = a f, a of the given width afterwards. */
 static void sum_multiply(sum *s, const algsurf_z_factor *f, int w) {
-    if (f->length == 1) {
-        algsurf_z_copy(s->a, w, s->a, smaller(s->w, w));
-        algsurf_z_multiply(s->a, w, f->limb[0]);
-        if (f->negative) algsurf_z_negate(s->a, w);
-    } else {
-        algsurf_z_zero(s->other, w);
-        algsurf_z_add_times(s->other, w, s->a, smaller(s->w, w), f, 0);
-        algsurf_limb *t = s->a;
-        s->a = s->other, s->other = t;
-    }
-    s->w = w;
+    algsurf_limb *a = s->a;
+    algsurf_z_zero(s->other, w);
+    algsurf_z_add_times(s->other, w, a, smaller(s->w, w), f, 0);
+    *s = (sum){s->other, a, w};
 }
 
 /* a += c 2^shift. */

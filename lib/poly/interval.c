@@ -5,7 +5,7 @@
  */
 #include "../base/arithmetic.h"
 #include "../base/fpenv.h"
-#include "degree.h"
+#include "value.h"
 #include "interval_impl.h"
 
 /* Both factors have both signs. */

@@ -13,7 +13,7 @@
  */
 #include "../base/arithmetic.h"
 #include "../base/fpenv.h"
-#include "degree.h"
+#include "value.h"
 #include "interval_impl.h"
 
 /* 0 if a number of that size can be squared and divided at ease, otherwise its binary exponent. */
@@ -22,10 +22,6 @@ static int awkward_exponent(double size) {
     int k;
     (void)frexp(size, &k);
     return k;
-}
-
-static algsurf_cinterval scale(algsurf_cinterval a, int k) {
-    return (algsurf_cinterval){algsurf_i_interval_scale(a.re, k), algsurf_i_interval_scale(a.im, k)};
 }
 
 static algsurf_interval sum_of_squares(algsurf_interval x, algsurf_interval y) {
@@ -90,7 +86,8 @@ algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval
 
 algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval b) {
     int i = size_exponent(a), j = size_exponent(b);
-    return scale(algsurf_i_cinterval_mul(scale(a, -i), inverse(scale(b, -j))), i - j);
+    algsurf_cinterval x = algsurf_i_cinterval_scale(a, -i), y = inverse(algsurf_i_cinterval_scale(b, -j));
+    return algsurf_i_cinterval_scale(algsurf_i_cinterval_mul(x, y), i - j);
 }
 
 static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {

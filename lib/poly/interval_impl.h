@@ -117,6 +117,10 @@ ALGSURF_I_BY_COMPONENTS(sub)
 ALGSURF_I_BY_COMPONENTS(hull)
 ALGSURF_I_BY_COMPONENTS(meet)
 
+static inline algsurf_cinterval algsurf_i_cinterval_scale(algsurf_cinterval a, int k) {
+    return (algsurf_cinterval){algsurf_i_interval_scale(a.re, k), algsurf_i_interval_scale(a.im, k)};
+}
+
 algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b);
 
 static inline algsurf_complex algsurf_i_cinterval_mid(algsurf_cinterval a) {

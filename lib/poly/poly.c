@@ -16,16 +16,16 @@
 #include "algsurf/poly.h"
 #include "../base/eft.h"
 #include "../base/fpenv.h"
-#include "degree.h"
 #include "value.h"
 
 #define RAISE (1.0 + 0x1p-39) /* (1 - u)^-(12 * 512) < 1 + 2^-40, and once more for its own rounding */
 
-static algsurf_status check(const double *c, const double *r, int degree) {
+algsurf_status algsurf_i_check_polynomial(const double *c, int parts, const double *r, int degree) {
     algsurf_status status = algsurf_i_check_degree(degree);
-    for (int i = 0; status == ALGSURF_OK && i <= degree; i++) {
-        if (!isfinite(c[i]) || (r && !isfinite(r[i]))) return ALGSURF_E_NOT_FINITE;
-        if (r && r[i] < 0) return ALGSURF_E_ARGUMENT;
+    for (int k = 0; status == ALGSURF_OK && k <= degree; k++) {
+        const double *a = c + k * parts;
+        if (!isfinite(a[0]) || !isfinite(a[parts - 1]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
+        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
     }
     return status;
 }
@@ -103,7 +103,7 @@ algsurf_i_bounded algsurf_i_compensated(const double *c, const double *r, int de
 static algsurf_status eval(const double *c, const double *r, int degree, double t, int compensated,
                            double *value, double *bound) {
     if (!c || !value) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check(c, r, degree);
+    algsurf_status status = algsurf_i_check_polynomial(c, 1, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(t)) return ALGSURF_E_NOT_FINITE;
     algsurf_i_bounded y =
@@ -143,7 +143,7 @@ static coefficient term(int k, int m, coefficient from, double x) {
 static algsurf_status to_bernstein(const double *c, const double *r, int degree, double lo, double hi,
                                    double *b, double *br) {
     if (!c || !b) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check(c, r, degree);
+    algsurf_status status = algsurf_i_check_polynomial(c, 1, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (!(lo < hi)) return ALGSURF_E_ARGUMENT;

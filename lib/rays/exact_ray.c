@@ -25,7 +25,6 @@
 
 #include "../base/fpenv.h"
 #include "../base/vec.h"
-#include "../roots/exact_radii.h"
 #include "../roots/exact_walk.h"
 #include "../surface/exact_form.h"
 #include "faces.h"

@@ -6,26 +6,18 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
-#include "../poly/degree.h"
 #include "../poly/value.h"
 #include "line.h"
 #include "exact_walk.h"
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
-    int zero = 1, exact = 1;
-    algsurf_status status = algsurf_i_check_degree(p->degree);
+    algsurf_status status = algsurf_i_check_polynomial(p->c, 1, p->r, p->degree);
     if (status != ALGSURF_OK) return status;
-    for (int k = 0; k <= p->degree; k++) {
-        double r = p->r ? p->r[k] : 0;
-        if (!isfinite(p->c[k]) || !isfinite(r)) return ALGSURF_E_NOT_FINITE;
-        if (r < 0) return ALGSURF_E_ARGUMENT;
-        zero = zero && p->c[k] == 0;
-        exact = exact && r == 0;
-    }
-    if (exact) p->r = NULL;
-    if (zero && exact) return ALGSURF_E_ZERO;
-    while (p->c[p->degree] == 0 && !(p->r && p->r[p->degree] > 0)) p->degree--;
-    return ALGSURF_OK;
+    int known = p->r ? p->degree : -1;
+    while (known >= 0 && p->r[known] == 0) known--;
+    if (known < 0) p->r = NULL;
+    while (p->degree >= 0 && p->c[p->degree] == 0 && !(p->r && p->r[p->degree] > 0)) p->degree--;
+    return p->degree < 0 ? ALGSURF_E_ZERO : ALGSURF_OK;
 }
 
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {

@@ -6,18 +6,17 @@
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../complex/boxes.h"
-#include "../poly/degree.h"
-#include "../poly/table.h"
+#include "../poly/value.h"
 
 /* Polynomial i by itself. */
 static ALGSURF_NOINLINE algsurf_status solve_alone(const algsurf_complex_batch *p, size_t i,
                                                    algsurf_complex_root *roots, int *count) {
     algsurf_complex c[ALGSURF_MAX_POLY_DEGREE + 1];
-    double re[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->radii.at ? r : NULL;
-    algsurf_i_table_row(&p->re, p->degree, i, re);
-    if (radii) algsurf_i_table_row(&p->radii, p->degree, i, r);
-    if (!p->im.at) return algsurf_complex_roots_of_real(re, radii, p->degree, roots, count);
-    for (int k = 0; k <= p->degree; k++) c[k] = (algsurf_complex){re[k], algsurf_i_table_entry(&p->im, k, i)};
+    double r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->radii.at ? r : NULL;
+    algsurf_i_table_row(&p->re, p->degree, i, &c->re, p->im.at ? 2 : 1);
+    if (radii) algsurf_i_table_row(&p->radii, p->degree, i, r, 1);
+    if (!p->im.at) return algsurf_complex_roots_of_real(&c->re, radii, p->degree, roots, count);
+    algsurf_i_table_row(&p->im, p->degree, i, &c->im, 2);
     return algsurf_complex_roots(c, radii, p->degree, roots, count);
 }
 

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "exact_walk.h"
-#include "exact_radii.h"
 
 enum { STACK_WORDS = 2048 };
 

@@ -26,19 +26,27 @@ static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, in
     return 1;
 }
 
+int algsurf_exact_move_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
+    const algsurf_exact_cell old = *cell;
+    if (!take_block(m, cell, width, position_width)) return 0;
+    const int up = width >= old.b.width && cell->b.c == old.b.c; /* what lies highest goes first */
+    if (up) algsurf_z_copy(cell->position, position_width, old.position, old.position_width);
+    for (int i = 0; i <= old.b.degree; i++) {
+        int k = up ? old.b.degree - i : i;
+        algsurf_z_copy(algsurf_zpoly_at(&cell->b, k), width, algsurf_zpoly_at(&old.b, k), old.b.width);
+    }
+    if (!up) algsurf_z_copy(cell->position, position_width, old.position, old.position_width);
+    return 1;
+}
+
 /* The cell in wider coefficients and position.  Its block is the last one taken: it grows where it is, unless
  * it has to move to another block of the stack, where the old numbers stay until they have been copied. */
 static int widen_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
-    const algsurf_exact_cell old = *cell;
     if (cell->begin.last == m->last)
         algsurf_memory_release(m, cell->begin);
     else
         cell->begin = algsurf_memory_here(m);
-    if (!take_block(m, cell, width, position_width)) return 0;
-    algsurf_z_copy(cell->position, position_width, old.position, old.position_width);
-    for (int k = old.b.degree; k >= 0; k--)
-        algsurf_z_copy(algsurf_zpoly_at(&cell->b, k), width, algsurf_zpoly_at(&old.b, k), old.b.width);
-    return 1;
+    return algsurf_exact_move_cell(m, cell, width, position_width);
 }
 
 void algsurf_exact_strip(algsurf_exact_cell *cell) {
@@ -259,10 +267,10 @@ int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f,
     algsurf_zpoly b;
     if (!over_piece(m, f, unit, piece, &b)) return 0;
     if (begin.last == m->last) algsurf_memory_release(m, begin); /* b moves down */
-    *cell = (algsurf_exact_cell){.begin = algsurf_memory_here(m), .b = b};
-    if (!take_block(m, cell, b.width, 1)) return 0;
-    memmove(cell->b.c, b.c, (size_t)(b.degree + 1) * (size_t)b.width * sizeof *b.c);
-    cell->position[0] = 0;
+    algsurf_limb zero = 0;
+    *cell =
+        (algsurf_exact_cell){.begin = algsurf_memory_here(m), .b = b, .position = &zero, .position_width = 1};
+    if (!algsurf_exact_move_cell(m, cell, b.width, 1)) return 0;
     cell->bits = algsurf_zpoly_bits(&cell->b);
     cell->variations = algsurf_exact_variations(cell);
     cells->active = 1;

@@ -24,7 +24,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "exact_radii.h"
+#include "exact_walk.h"
 
 enum { UNKNOWN = 2, MOST_ROUNDS = 8, MOST_HALVINGS = 5 };
 

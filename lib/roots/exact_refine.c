@@ -209,8 +209,7 @@ static int to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         hi = lo;
     } else if (hi.sign == 0) {
         lo = hi;
-    } else if (!close_in(walk, f, walk->listed && walk->list_length >= 0 ? NAN : first_guess(walk), &lo,
-                         &hi)) {
+    } else if (!close_in(walk, f, walk->listed ? NAN : first_guess(walk), &lo, &hi)) {
         return 0;
     }
     int outside = lo.t < first || hi.t > last; /* the place reaches less far than the doubles */

@@ -46,23 +46,14 @@ static int is_negative(const judge *j, int *negative) {
 
 /* Decided by q at both ends: *known. */
 static int judge_ends(const judge *j, int *known, int *sign) {
-    int at_a, at_b, below = 0;
-    *known = 1;
+    int at_a, at_b;
     if (!algsurf_exact_signs(j->memory, j->q, &j->place, &at_a, &at_b)) return 0;
     *sign = at_a != 0 ? at_a : at_b;
-    if (j->q->degree == 1) {
-        *known = at_a * at_b >= 0;
-    } else if (at_a >= 0 && at_b >= 0) {
-        *sign = 1;
-    } else {
-        *known = 0;
-        if (at_a < 0 && at_b < 0) {
-            if (!is_monotone(j, &below)) return 0;
-            if (!below && !is_negative(j, &below)) return 0;
-            *known = below;
-        }
-    }
-    return 1;
+    *known = j->q->degree == 1 ? at_a * at_b >= 0 : at_a >= 0 && at_b >= 0;
+    if (j->q->degree == 1) return 1;
+    if (*known) *sign = 1;
+    if (at_a >= 0 || at_b >= 0) return 1;
+    return is_monotone(j, known) && (*known || is_negative(j, known));
 }
 
 /* Do f and q have the root in common? */

@@ -60,14 +60,13 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
 static int list_roots(algsurf_exact_walk *walk, int sweeps) {
     const algsurf_zpoly *f = walked(walk);
     algsurf_memory_mark mark = algsurf_memory_here(walk->memory);
-    walk->listed = algsurf_i_take(walk->memory, (size_t)f->degree * sizeof *walk->listed);
-    walk->list_length = -1;
-    if (!walk->listed || !algsurf_i_roots_on_axis(walk->memory, f, sweeps, walk->listed, &walk->list_length))
-        return -1;
+    algsurf_i_root_on_axis *all = algsurf_i_take(walk->memory, (size_t)f->degree * sizeof *all);
+    if (!all || !algsurf_i_roots_on_axis(walk->memory, f, sweeps, all, &walk->list_length)) return -1;
     if (walk->list_length < 0) {
         algsurf_memory_release(walk->memory, mark);
         return 0;
     }
+    walk->listed = all;
     walk->skip = walk->given;
     for (; walk->next < walk->list_length; walk->next++) {
         const algsurf_i_root_on_axis *at = walk->listed + walk->next;
@@ -79,8 +78,6 @@ static int list_roots(algsurf_exact_walk *walk, int sweeps) {
     walk->top = algsurf_memory_here(walk->memory);
     return 1;
 }
-
-static int is_listed(const algsurf_exact_walk *walk) { return walk->listed && walk->list_length >= 0; }
 
 /* The next one of the list: 1, 0; -1 without memory.  Its roots are simple: signs alternate, from that at
  * -infinity. */
@@ -221,7 +218,7 @@ static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     for (;;) {
         *root = (algsurf_exact_root){.multiplicity = 0};
-        if (is_listed(walk)) return next_listed(walk, root);
+        if (walk->listed) return next_listed(walk, root);
         if (walk->cells.active) {
             int found = search_cells(walk, root);
             if (found) return found;

@@ -105,8 +105,8 @@ typedef struct algsurf_exact_walk {
     int used_up;               /* the cell's root has been reported */
     int before;                /* the sign of what is walked before its last simple root */
     /* from discs */
-    algsurf_i_root_on_axis *listed;         /* null: not asked for; else the roots, */
-    int list_length, next;                  /* how many, -1: not known; the next one, */
+    algsurf_i_root_on_axis *listed;         /* null: there are none; else the roots, */
+    int list_length, next;                  /* how many; the next one */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
 } algsurf_exact_walk;
 
@@ -141,6 +141,33 @@ int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_roo
 
 void algsurf_exact_end(algsurf_exact_walk *walk);
 
+/* ---- exact_radii.c: coefficients known to radii ---- */
+
+/* Where roots are.
+ * - sign_lo 1 or -1, lo < hi: every polynomial of the set has exactly one root in (lo,hi), a simple one, the
+ *   sign sign_lo at lo and the other one at hi.  hi - lo is as small as doubles and radii allow.  One of them
+ *   is infinite, and the other one the largest double, for a root beyond this.
+ * - sign_lo 0: undecided; [lo,hi] holds any number of roots, not the same for all polynomials of the set.
+ * With lo = hi: a root of all of them or of some; their signs there tell. */
+typedef struct algsurf_exact_range {
+    double lo, hi;
+    int sign_lo;
+} algsurf_exact_range;
+
+/* The roots t = 2^unit u in [lo,hi], lo <= hi, infinite ends allowed, of the polynomials p + e, |e_k| <=
+ * radius_k.  Radius has no negative coefficients; its degree may be above p's.  Outside of the ranges found,
+ * which are in order and at most `capacity` >= 1, no polynomial of the set has a root in [lo,hi]; when there
+ * is no room for more, ranges are joined to undecided ones.  watch: null, or who is told.  Returns 0 when
+ * there is no memory; nothing of it is kept. */
+int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
+                                int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
+                                int *count, const algsurf_i_watch *watch);
+
+/* The sign at t, finite, that all these polynomials have in common, or 2: there is none.  Returns as above.
+ */
+int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius, int unit,
+                             double t, int *sign);
+
 /* ---- shared by the engine's files ---- */
 
 /* exact_cell.c: cells, Bernstein coefficients in integers over dyadic parts of a piece. */
@@ -168,6 +195,9 @@ static inline int algsurf_exact_begins_with_root(const algsurf_exact_cell *cell)
     return !cell->left_done && algsurf_exact_sign(cell, 0) == 0;
 }
 
+/* The cell's numbers in these widths, in a new block at the top of the stack; the old one, where it is above
+ * that, is still read.  Wider ones may begin where the old ones do, others before them. */
+int algsurf_exact_move_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width);
 /* Takes a common power of two out of the coefficients, and sets their bits. */
 void algsurf_exact_strip(algsurf_exact_cell *cell);
 int algsurf_exact_variations(const algsurf_exact_cell *cell);

@@ -90,18 +90,9 @@ static int take_place(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact
     if (cell->begin.last == m->last && part->begin.last == m->last) {
         int width = algsurf_z_width(part->bits + n + 1);
         if (width > part->b.width) width = part->b.width;
-        size_t size = (size_t)(n + 1) * (size_t)width;
         algsurf_memory_release(m, cell->begin);
-        algsurf_limb *block = algsurf_memory_take(m, size + (size_t)part->position_width);
-        if (!block) return 0;
-        for (int j = 0; j <= n; j++)
-            algsurf_z_copy(block + (size_t)j * (size_t)width, width, algsurf_zpoly_at(&part->b, j),
-                           part->b.width);
-        memmove(block + size, part->position, (size_t)part->position_width * sizeof *block);
-        part->b.c = block;
-        part->b.width = width;
-        part->position = block + size;
         part->begin = cell->begin;
+        if (!algsurf_exact_move_cell(m, part, width, part->position_width)) return 0;
     }
     *cell = *part;
     return 1;
@@ -114,26 +105,15 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
     int position_width = algsurf_z_width(cell->depth + cell->fine + k + 66);
     algsurf_exact_cell part = *cell;
     part.begin = algsurf_memory_here(m);
-    part.b.width = width;
-    part.b.c = algsurf_memory_take(m, (size_t)(n + 1) * (size_t)width + (size_t)position_width);
-    if (!part.b.c) return 0;
-    for (int j = 0; j <= n; j++)
-        algsurf_z_copy(algsurf_zpoly_at(&part.b, j), width, algsurf_zpoly_at(&cell->b, j), cell->b.width);
-    for (int i = 0; i < n; i++)
-        for (int j = n; j > i; j--)
-            algsurf_z_sub(algsurf_zpoly_at(&part.b, j), algsurf_zpoly_at(&part.b, j - 1), width);
+    if (!algsurf_exact_move_cell(m, &part, width, position_width)) return 0;
+    algsurf_zpoly_join_neighbours(&part.b, 1);
     for (int j = 0; j < n; j++) algsurf_z_shift_up(algsurf_zpoly_at(&part.b, j), width, k * (n - j));
     for (int i = 1; i <= n; i++)
         for (int j = 0; j <= n - i; j++)
             algsurf_z_add_product(algsurf_zpoly_at(&part.b, j), width, algsurf_zpoly_at(&part.b, j + 1),
                                   width, x, 0);
     for (int j = 1; j <= n; j++) algsurf_z_shift_up(algsurf_zpoly_at(&part.b, j), width, j);
-    for (int i = 0; i < n; i++)
-        for (int j = n; j > i; j--)
-            algsurf_z_add(algsurf_zpoly_at(&part.b, j), algsurf_zpoly_at(&part.b, j - 1), width);
-    part.position = part.b.c + (size_t)(n + 1) * (size_t)width;
-    part.position_width = position_width;
-    algsurf_z_copy(part.position, position_width, cell->position, cell->position_width);
+    algsurf_zpoly_join_neighbours(&part.b, 0);
     algsurf_z_shift_up(part.position, position_width, k);
     algsurf_z_add_product(part.position, position_width, &x, 1, (algsurf_limb)1 << (cell->fine & 63),
                           cell->fine / 64);

@@ -17,8 +17,7 @@
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../complex/boxes.h"
-#include "../poly/degree.h"
-#include "../poly/table.h"
+#include "../poly/value.h"
 #include "line.h"
 #include "polys.h"
 
@@ -38,8 +37,8 @@ static double end_of(const algsurf_real_batch *p, size_t i) {
 
 /* c, r: room for the coefficients and, if there are any, radii. */
 static algsurf_i_coefficients read_one(const algsurf_real_batch *p, size_t i, double *c, double *r) {
-    algsurf_i_table_row(&p->coefficients, p->degree, i, c);
-    if (p->radii.at) algsurf_i_table_row(&p->radii, p->degree, i, r);
+    algsurf_i_table_row(&p->coefficients, p->degree, i, c, 1);
+    if (p->radii.at) algsurf_i_table_row(&p->radii, p->degree, i, r, 1);
     return (algsurf_i_coefficients){c, p->radii.at ? r : NULL, p->degree};
 }
 

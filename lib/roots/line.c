@@ -212,7 +212,6 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
     if (!algsurf_i_power_roots(&w, p, line->lo, line->hi, roots, count)) return 0;
     for (int i = 0; line->refined && i < *count; i++)
         if (!make_final(p, roots + i)) return 0;
-    if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;
     return 1;
 }
 
@@ -267,10 +266,7 @@ static ALGSURF_NOINLINE algsurf_status solve_with_zero(const algsurf_i_line *lin
     rest.boxes = NULL;
     if (rest.wanted == ALGSURF_I_FIRST) rest.wanted = ALGSURF_I_ALL;
     algsurf_status status = solve(&rest, roots, count);
-    if (status != ALGSURF_OK || put_zero(&rest, zeros, roots, count)) {
-        if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;
-        return status;
-    }
+    if (status != ALGSURF_OK || put_zero(&rest, zeros, roots, count)) return status;
     return by_walk(line, NULL, 0, roots, count);
 }
 
@@ -296,5 +292,7 @@ static ALGSURF_NOINLINE algsurf_status solve_integers(const algsurf_i_line *line
 algsurf_status algsurf_i_line_solve(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
     *count = 0;
     if (line->lo == HUGE_VAL || line->hi == -HUGE_VAL) return ALGSURF_OK; /* [inf,inf] holds no number */
-    return !line->z ? solve_doubles(line, roots, count) : solve_integers(line, roots, count);
+    algsurf_status status = !line->z ? solve_doubles(line, roots, count) : solve_integers(line, roots, count);
+    if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;
+    return status;
 }
