@@ -271,6 +271,55 @@ TEST(multiple) {
     }
 }
 
+/* z^zeros q(z^2). */
+static poly *in_squares(const poly *q, int zeros) {
+    poly *p = make(2 * q->degree + zeros);
+    for (int k = 0; k <= q->degree; k++)
+        mpz_set(p->re[2 * k + zeros], q->re[k]), mpz_set(p->im[2 * k + zeros], q->im[k]);
+    return p;
+}
+
+static void judge_in_squares(const char *name, poly *q, int real) {
+    poly *p = in_squares(q, 0);
+    judge_one(name, in_squares(q, 1), real < 0 ? real : real + 1);
+    judge_one(name, in_squares(p, 0), -1);
+    judge_one(name, p, real);
+    drop(q);
+}
+
+/* Those that begin at square roots: of positive and negative numbers, of clusters and pairs, of numbers of very
+ * different sizes and next to 0, with and without the root 0, of multiple roots. */
+TEST(polynomials_of_squares) {
+    set_precision(2048);
+    judge_in_squares("Wilkinson's", wilkinson(40), 80);
+    judge_in_squares("Toeplitz' of", toeplitz((const long[]){1, 1, 1, 1}, 4, 40), -1);
+    judge_in_squares("Mandelbrot's of", mandelbrot(6), -1);
+    for (int side = -1; side <= 1; side += 2) {
+        poly *p = make(0), *q = make(0);
+        mpz_set_ui(p->re[0], 1), mpz_set_ui(q->re[0], 1);
+        for (int i = 0; i < 12; i++) {
+            p = times_root(p, side * ((1L << 40) / 3 + i), 0, 1L << 40);
+            q = times_root(q, side * (1L << (5 * i)), i % 3, 1L << 30);
+        }
+        judge_in_squares("a cluster of", p, side > 0 ? 24 : 0);
+        judge_in_squares("2^5k of", q, -1);
+    }
+    for (int round = 0; round < 40; round++) {
+        poly *f[FACTORS] = {NULL}, *g[FACTORS] = {NULL};
+        const int m[FACTORS] = {1, 2, 3, 5};
+        poly *q = random_product(round % 2, 0, m, f), *p = in_squares(q, 0);
+        if (mpz_sgn(p->re[0]) || mpz_sgn(p->im[0])) {
+            for (int i = 0; i < FACTORS && f[i]; i++) g[i] = in_squares(f[i], 0);
+            judge("multiple roots of", p, (const poly *const *)g, m, -1);
+        }
+        for (int i = 0; i < FACTORS && f[i]; i++) {
+            drop(f[i]);
+            if (g[i]) drop(g[i]);
+        }
+        drop(p), drop(q);
+    }
+}
+
 /* ((z - 7/3 - i/3) (z - 14/3 - i/3) ...)^5: that this is not 0 at its roots' conjugates is seen only from
  * places far narrower than doubles, as it is small there beside its terms. */
 TEST(conjugates_are_told_apart) {

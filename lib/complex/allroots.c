@@ -139,7 +139,10 @@ static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given)
     if (open && !s->r) {
         if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer)) return 0;
         if (s->answer.count > 0) return 1;
-        if (!algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
+        if (algsurf_i_is_in_squares(z)
+                ? !algsurf_i_discs_separate(&d, s->m, z, ALGSURF_I_MOST_SWEEPS, &open, &s->answer.proposed)
+                : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
+            return 0;
     }
     return algsurf_i_deliver(&d, 1, &s->answer);
 }

@@ -164,7 +164,7 @@ int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, a
 
 /* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
  * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
- * Adds to *corrections how many there were of a root. */
+ * Adds to *corrections how many there were of a root; null: there is none, the start values are the answer. */
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
                       algsurf_scaled *z, int *corrections);
 
@@ -182,6 +182,14 @@ void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int
 /* Sweeps until all roots are alone and narrow, or as small as radii allow, or `most` times; *open: how many
  * are not. */
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);
+
+/* ---- squares.c ---- */
+
+/* p is a polynomial of z^2. */
+int algsurf_i_is_in_squares(const algsurf_i_integers *p);
+/* Begins and runs discs for p, which is squarefree. */
+int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p, int most, int *open,
+                             int *corrections);
 
 /* ---- factors.c ---- */
 

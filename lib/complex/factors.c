@@ -132,8 +132,8 @@ static int solve_factor(algsurf_memory *m, const algsurf_zpoly *f, int multiplic
     algsurf_i_discs d;
     int open;
     if (!algsurf_i_make_integers(m, f, NULL, &z)) return 0;
-    if (!algsurf_i_discs_begin(&d, m, &z, NULL, &answer->proposed)) return 0;
-    if (h ? !choose_all(&d, h) : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open)) return 0;
+    if (!algsurf_i_discs_separate(&d, m, &z, ALGSURF_I_MOST_SWEEPS, &open, &answer->proposed)) return 0;
+    if (h && !choose_all(&d, h)) return 0;
     z.p.real = !h;
     return algsurf_i_deliver(&d, multiplicity, answer);
 }

@@ -55,8 +55,7 @@ static int find(algsurf_memory *m, const algsurf_zpoly *f, int most, algsurf_i_r
     int open, corrections = 0, n = f->degree, *order = algsurf_i_take(m, (size_t)n * sizeof *order);
     *count = -1;
     if (!order || !algsurf_i_make_integers(m, f, NULL, &z)) return 0;
-    if (!algsurf_i_discs_begin(&d, m, &z, NULL, &corrections) || !algsurf_i_discs_run(&d, most, &open))
-        return 0;
+    if (!algsurf_i_discs_separate(&d, m, &z, most, &open, &corrections)) return 0;
     int found = 0, done = open == 0;
     for (int i = 0; i < n && done; i++) {
         int real, k = found;

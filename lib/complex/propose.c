@@ -180,7 +180,8 @@ int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *poly, const algsurf
     }
     p.unit_of_reach = 1 / p.reach;
     const algsurf_i_allroots_kernel *kernel = algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL));
-    for (int k = 0, left = n; k < SWEEPS && left > 0; k++) *corrections += left, left = sweep(&p, kernel);
+    for (int k = 0, left = n; corrections && k < SWEEPS && left > 0; k++)
+        *corrections += left, left = sweep(&p, kernel);
     for (int i = 0; i < n; i++) z[i] = scaled_of(p.a.x[i], p.a.y[i], unit);
     algsurf_memory_release(m, mark);
     return 1;
