@@ -319,6 +319,17 @@ TEST(test_bad_numbers) {
     c = good, c.options.size = 2, refused(&c, ALGSURF_E_SIZE, ALGSURF_E_SIZE, ALGSURF_E_SIZE);
 }
 
+/* A step towards a double root halves what is left; where that is 0 as a double, it is 0, and this ends. */
+TEST(test_double_root_at_zero) {
+    const algsurf_complex p[3] = {{0, 0}, {0, 0}, {1, 0}};
+    const algsurf_paper_options options = {.size = sizeof options, .max_steps = 5000};
+    algsurf_complex z, q[2];
+    int steps;
+    assert_int_equal(algsurf_paper_approximation(p, 2, (algsurf_complex){1, 0}, &options, &z, q, &steps),
+                     ALGSURF_NOT_CONVERGED);
+    assert_true(z.re == 0 && z.im == 0 && steps > 1000 && steps < 1200);
+}
+
 TEST(test_null) {
     const call c = good;
     algsurf_complex z = {5, 5}, q[2] = {{5, 5}, {5, 5}};

@@ -16,23 +16,22 @@
 
 static int clamped(int64_t e) { return (int)(e < -100000 ? -100000 : e > 100000 ? 100000 : e); }
 
-/* A part of the root: x 2^exponent - step 2^step_exponent, off by the radius; `top` bounds the exponents of
- * all. Times 2^unit. */
-static algsurf_interval part(const algsurf_limb *x, int w, int64_t exponent, double step,
-                             int64_t step_exponent, algsurf_scaled radius, int64_t top, int64_t unit,
-                             double *value) {
+/* A part of a root, times 2^unit: x, which is that of z, less that of a step, off by the radius. */
+static algsurf_interval part(const algsurf_i_point *z, const algsurf_limb *x, algsurf_scaled step,
+                             algsurf_scaled radius, int64_t unit, double *value) {
     algsurf_limb a[LIMBS] = {0}, b[LIMBS], r = 0;
     int exact = radius.re == 0, e;
-    int64_t low = exact ? exponent : radius.exponent - 30;
+    int64_t top = larger(larger(z->head, step), radius).exponent;
+    int64_t low = exact ? z->exponent : radius.exponent - 30;
     if (low < top - MOST_BITS) low = top - MOST_BITS, exact = 0;
     if (low > top) low = top;
     if (!exact)
         r = 3 + (radius.exponent < low - 1
                      ? 1
                      : (algsurf_limb)ceil(ldexp(radius.re, (int)(radius.exponent - low))));
-    algsurf_limb m = (algsurf_limb)(int64_t)(-step * 0x1p60);
-    algsurf_i_add_shifted(a, LIMBS, x, w, exponent - low);
-    if (step != 0) algsurf_i_add_shifted(a, LIMBS, &m, 1, step_exponent - 60 - low);
+    algsurf_limb m = (algsurf_limb)(int64_t)(-step.re * 0x1p60);
+    algsurf_i_add_shifted(a, LIMBS, x, z->w, z->exponent - low);
+    if (step.re != 0) algsurf_i_add_shifted(a, LIMBS, &m, 1, step.exponent - 60 - low);
     algsurf_z_copy(b, LIMBS, a, LIMBS);
     double middle = algsurf_z_to_double(a, LIMBS, &e);
     *value = ldexp(middle, clamped(e + low + unit));
@@ -45,13 +44,11 @@ static algsurf_interval part(const algsurf_limb *x, int w, int64_t exponent, dou
 /* The root is within blur + error of z - W, of which the end is cut: less than 2 units from each part. */
 int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R) {
     const algsurf_i_disc *root = d->root + i;
-    algsurf_scaled way = root->step;
     *R = by(sum(root->blur, root->error), 1 + 0x1p-40);
-    const int exact = is_zero(way) && is_zero(*R);
+    const int exact = is_zero(root->step) && is_zero(*R);
     const int64_t low = exact ? root->z.exponent : R->exponent - 10;
-    way.re = -way.re, way.im = -way.im;
     if (!exact) *R = sum(*R, scaled_of(4, 0, low));
-    return algsurf_i_set_point(d->m, x, &root->z, way, low, on_axis);
+    return algsurf_i_set_point(d->m, x, &root->z, negative(root->step), low, on_axis);
 }
 
 /* A number in the box that is finite. */
@@ -67,11 +64,10 @@ static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit
         step = known->step;
         radius = by(sum(known->blur, known->error), 1 + 0x1p-40);
     }
-    int64_t top = z->head.exponent > step.exponent ? z->head.exponent : step.exponent;
-    if (radius.exponent > top) top = radius.exponent;
     algsurf_complex_root root = {.multiplicity = 1};
-    root.box.re = part(z->x, z->w, z->exponent, step.re, step.exponent, radius, top, unit, &root.root.re);
-    root.box.im = part(z->y, z->w, z->exponent, step.im, step.exponent, radius, top, unit, &root.root.im);
+    root.box.re = part(z, z->x, step, radius, unit, &root.root.re);
+    step.re = step.im;
+    root.box.im = part(z, z->y, step, radius, unit, &root.root.im);
     return root;
 }
 

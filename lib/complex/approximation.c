@@ -188,9 +188,9 @@ algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, al
 
 /* ---- the public call ---- */
 
-static ALGSURF_NOINLINE algsurf_status approximate(const algsurf_complex *p, int degree,
-                                                   algsurf_complex start, const algsurf_paper_options *given,
-                                                   algsurf_complex *z, algsurf_complex *q, int *steps) {
+static algsurf_status approximate(const algsurf_complex *p, int degree, algsurf_complex start,
+                                  const algsurf_paper_options *given, algsurf_complex *z, algsurf_complex *q,
+                                  int *steps) {
     algsurf_paper_options options;
     algsurf_complex found[ALGSURF_MAX_POLY_DEGREE];
     int count;
@@ -204,10 +204,7 @@ static ALGSURF_NOINLINE algsurf_status approximate(const algsurf_complex *p, int
     return status;
 }
 
-algsurf_status algsurf_paper_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
-                                           const algsurf_paper_options *options, algsurf_complex *z,
-                                           algsurf_complex *q, int *steps) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = approximate(p, degree, start, options, z, q, steps));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, paper_approximation, approximate,
+                 (const algsurf_complex *p, int degree, algsurf_complex start,
+                  const algsurf_paper_options *options, algsurf_complex *z, algsurf_complex *q, int *steps),
+                 (p, degree, start, options, z, q, steps))

@@ -1,4 +1,4 @@
-/* boxes.c - the table of kernels for complex roots. */
+/* boxes.c - the table of kernels for complex roots, by itself: test_self_test puts another in its place. */
 #include "../base/arithmetic.h"
 #include "boxes.h"
 

@@ -12,9 +12,9 @@
  *
  * Discs.  W_i = p(z_i) / D_i, D_i = c_n prod_j (z_i - z_j): if the discs about z_i with radius n |W_i| are
  * apart, each holds one root (discs.c).  p(z_i) has doubled precision; with S = sum |c_k| |z_i|^k it is off
- * by at most 32 n (n + 2) u^2 S and u times itself (iteration_template.h); 2^-500 covers what underflows, here
- * and in squares.  D_i takes n - 1 differences, off by u, and products, off by sqrt(5) u (Brent, Percival,
- * Zimmermann 2007): 3.3 (n - 1) u in all.
+ * by at most 32 n (n + 2) u^2 S and u times itself (iteration_template.h); 2^-500 covers what underflows,
+ * here and in squares.  D_i takes n - 1 differences, off by u, and products, off by sqrt(5) u (Brent,
+ * Percival, Zimmermann 2007): 3.3 (n - 1) u in all.
  *
  * Boxes.  Root i is exactly z_i - p(z_i) / (c_n prod_j (z_i - root_j)), and root_j is off z_j by at most R,
  * the largest radius.  So with m_i the least distance of another z_j, q = R / m_i, (n - 1) q <= 1/2,
@@ -76,8 +76,6 @@ INLINE lanes largest_of(layout s, const lanes *a) {
     return s.together ? over_lanes(most) : most;
 }
 
-INLINE mask is_zero(lanes a) { return at_most(absolute(a), all_lanes(0)); }
-
 /* Approximations; a root on the axis is real. */
 typedef struct points {
     lanes x[MOST_ROOTS], y[MOST_ROOTS];
@@ -94,17 +92,11 @@ INLINE mask sweep_together(const polynomials *p, layout s, double stop, points *
     points next;
     mask done[MOST_ROOTS];
     for (int g = 0; g < groups_of(s); g++) {
-        complex_lanes z = {r->x[g], r->y[g]}, sum = {all_lanes(0), all_lanes(0)};
-        lanes nearest = all_lanes(0), self = number_of(s, g);
-        for (int j = 0; j < s.n; j++) {
-            lanes dx = z.re - root_at(s, r->x, j), dy = z.im - root_at(s, r->y, j);
-            lanes inverse = choose(is_zero(self - j), all_lanes(0), 1 / (dx * dx + dy * dy));
-            sum.re += dx * inverse, sum.im -= dy * inverse;
-            nearest = larger(inverse, nearest);
-        }
-        complex_lanes step = correction(p, s.n, z, sum);
+        complex_lanes z = {r->x[g], r->y[g]};
+        pull b = pull_of((const double *)r->x, (const double *)r->y, s.n, z, number_of(s, g));
+        complex_lanes step = correction(p, s.n, z, b.sum);
         next.x[g] = z.re - step.re, next.y[g] = z.im - step.im;
-        done[g] = has_stopped(z, step, nearest, stop);
+        done[g] = has_stopped(z, step, b.nearest, stop);
     }
     for (int g = 0; g < groups_of(s); g++) r->x[g] = next.x[g], r->y[g] = next.y[g];
     return all_of(s, done);
@@ -155,13 +147,10 @@ INLINE void make_symmetric(layout s, points *r) {
 
 /* ---- the proof ---- */
 
-/* |c_k| and |z|, rounded up. */
-INLINE lanes modulus(lanes re, lanes im) { return root(re * re + im * im + 0x1p-1000) * (1 + 8 * ROUNDING); }
-
 INLINE mask coefficients_fit(const polynomials *p, int n, lanes *size) {
     mask fit = ~no_lane();
     for (int k = 0; k <= n; k++) {
-        size[k] = p->real ? absolute(p->re[k]) : modulus(p->re[k], p->im[k]);
+        size[k] = size_of(p, k);
         fit &= at_most(size[k], all_lanes(0x1p300));
     }
     return fit & at_most(all_lanes(0x1p-300), smaller(size[0], size[n]));

@@ -44,10 +44,9 @@ static algsurf_paper_zero finish(const algsurf_complex *p, const double *r, int 
     return zero;
 }
 
-static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const double *r, int degree,
-                                                 const algsurf_complex *start,
-                                                 const algsurf_paper_options *given,
-                                                 algsurf_paper_zero *zeros, int *complete) {
+static algsurf_status all_zeros(const algsurf_complex *p, const double *r, int degree,
+                                const algsurf_complex *start, const algsurf_paper_options *given,
+                                algsurf_paper_zero *zeros, int *complete) {
     algsurf_paper_options options;
     algsurf_complex deflated[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
     algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
@@ -70,10 +69,7 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_paper_zeros(const algsurf_complex *p, const double *r, int degree,
-                                   const algsurf_complex *start, const algsurf_paper_options *options,
-                                   algsurf_paper_zero *zeros, int *complete) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = all_zeros(p, r, degree, start, options, zeros, complete));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, paper_zeros, all_zeros,
+                 (const algsurf_complex *p, const double *r, int degree, const algsurf_complex *start,
+                  const algsurf_paper_options *options, algsurf_paper_zero *zeros, int *complete),
+                 (p, r, degree, start, options, zeros, complete))

@@ -29,8 +29,10 @@ static algsurf_scaled size_up(algsurf_scaled a) { return by(size_of(a), UP); }
 
 /* ---- values ---- */
 
-void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
-                      algsurf_scaled *spread) {
+/* Upper bounds of sum_k C(k,j) r_k |z|^(k-j) for j = 0 to `last`: what radii make of Taylor's coefficients.
+ */
+static void set_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+                       algsurf_scaled *spread) {
     algsurf_scaled far = size_up(z->head);
     for (int j = 0; j <= last; j++) spread[j] = scaled_none();
     for (int k = p->re.degree; k >= 0 && p->radius; k--)
@@ -42,24 +44,20 @@ void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int
 /* p(z) is `value`, off by `lost`, for the coefficients in the middle. */
 static void set_known(algsurf_i_discs *d, algsurf_i_disc *root, algsurf_scaled value, algsurf_scaled lost) {
     algsurf_scaled spread;
-    algsurf_i_spread(d->p, &root->z, 0, &spread);
+    set_spread(d->p, &root->z, 0, &spread);
     root->stuck = d->p->radius && !less(by(spread, 4), size_up(value));
     root->value = value, root->lost = sum(lost, spread);
     root->known = 1;
 }
 
-/* p(z), with as many limbs as it takes. */
-static int set_value(algsurf_i_discs *d, algsurf_i_disc *root) {
-    algsurf_scaled spread, value, lost;
-    algsurf_i_spread(d->p, &root->z, 0, &spread);
-    for (;; root->width += root->width / 2 + 1) {
-        if (!algsurf_i_taylor(&d->sums, d->p, &root->z, 0, root->width)) return 0;
-        value = algsurf_i_sum_head(d->sums.at), lost = d->sums.at->lost;
-        algsurf_scaled most = by(lost, ENOUGH);
-        if (!less(size_up(value), most) || less(most, spread)) break;
+int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int last, double clear, int *w,
+                           algsurf_scaled *spread) {
+    set_spread(d->p, z, last, spread);
+    for (;; *w += *w / 2 + 1) {
+        if (!algsurf_i_taylor(&d->sums, d->p, z, last, *w)) return 0;
+        algsurf_scaled least = by(d->sums.at->lost, clear);
+        if (!less(size_of(algsurf_i_sum_head(d->sums.at)), least) || less(least, spread[0])) return 1;
     }
-    set_known(d, root, value, lost);
-    return 1;
 }
 
 /* ---- discs ---- */
@@ -245,7 +243,9 @@ static int set_values(algsurf_i_discs *d) {
         algsurf_i_disc *root = d->root + i;
         if (root->known) continue;
         if (root->mate < 0 || root->mate > i) {
-            if (!set_value(d, root)) return 0;
+            algsurf_scaled spread;
+            if (!algsurf_i_clear_taylor(d, &root->z, 0, ENOUGH, &root->width, &spread)) return 0;
+            set_known(d, root, algsurf_i_sum_head(d->sums.at), d->sums.at->lost);
             continue;
         }
         const algsurf_i_disc *mate = d->root + root->mate;
@@ -257,6 +257,5 @@ static int set_values(algsurf_i_discs *d) {
 }
 
 int algsurf_i_discs_prove(algsurf_i_discs *d) {
-    if (!set_values(d)) return 0;
-    return set_discs(d) && set_groups(d) && set_blur(d);
+    return set_values(d) && set_discs(d) && set_groups(d) && set_blur(d);
 }

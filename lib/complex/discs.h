@@ -175,10 +175,10 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integ
                           const algsurf_scaled *given, int *corrections);
 /* p at the points that have moved, and all discs and groups. */
 int algsurf_i_discs_prove(algsurf_i_discs *d);
-/* Upper bounds of sum_k C(k,j) r_k |z|^(k-j) for j = 0 to `last`: what radii make of Taylor's coefficients.
- */
-void algsurf_i_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
-                      algsurf_scaled *spread);
+/* d's sums at z in w limbs or as many as it takes: the first one is `clear` times its error, or lost in the
+ * radii, that is, in spread[0].  *spread: bounds of what radii make of the sums. */
+int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int last, double clear, int *w,
+                           algsurf_scaled *spread);
 /* Sweeps until all roots are alone and narrow, or as small as radii allow, or `most` times; *open: how many
  * are not. */
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);

@@ -173,15 +173,14 @@ static int make_norm(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zp
     const algsurf_zpoly *part[2] = {u, v};
     int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
     if (!algsurf_zpoly_new(m, 2 * n, 2 * w + 1, N)) return 0;
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k <= part[i]->degree; k++) {
-            algsurf_limb *room = algsurf_memory_take(m, (size_t)part[i]->width);
-            if (!room) return 0;
-            algsurf_z_factor f = algsurf_z_factor_of(algsurf_zpoly_at(part[i], k), part[i]->width, room);
+    for (int i = 0; i < 2; i++) {
+        const algsurf_z_factor *f = algsurf_zpoly_factors(m, part[i]);
+        if (!f) return 0;
+        for (int k = 0; k <= part[i]->degree; k++)
             for (int j = 0; j <= part[i]->degree; j++)
                 algsurf_z_add_times(algsurf_zpoly_at(N, j + k), N->width, algsurf_zpoly_at(part[i], j),
-                                    part[i]->width, &f, 0);
-        }
+                                    part[i]->width, f + k, 0);
+    }
     return 1;
 }
 

@@ -184,10 +184,9 @@ algsurf_status algsurf_i_paper_inclusion(const algsurf_complex *p, const double 
 
 /* ---- the public call ---- */
 
-static ALGSURF_NOINLINE algsurf_status include(const algsurf_complex *p, const double *r, int degree,
-                                               algsurf_complex z, const algsurf_complex *q,
-                                               const algsurf_paper_options *given, algsurf_cinterval *Z,
-                                               algsurf_cinterval *Q, int *unique, int *inflations) {
+static algsurf_status include(const algsurf_complex *p, const double *r, int degree, algsurf_complex z,
+                              const algsurf_complex *q, const algsurf_paper_options *given,
+                              algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique, int *inflations) {
     algsurf_paper_options options;
     int count;
     algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
@@ -201,11 +200,8 @@ static ALGSURF_NOINLINE algsurf_status include(const algsurf_complex *p, const d
     return status;
 }
 
-algsurf_status algsurf_paper_inclusion(const algsurf_complex *p, const double *r, int degree,
-                                       algsurf_complex z, const algsurf_complex *q,
-                                       const algsurf_paper_options *options, algsurf_cinterval *Z,
-                                       algsurf_cinterval *Q, int *unique, int *inflations) {
-    algsurf_status status;
-    ALGSURF_STANDARD(status = include(p, r, degree, z, q, options, Z, Q, unique, inflations));
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, paper_inclusion, include,
+                 (const algsurf_complex *p, const double *r, int degree, algsurf_complex z,
+                  const algsurf_complex *q, const algsurf_paper_options *options, algsurf_cinterval *Z,
+                  algsurf_cinterval *Q, int *unique, int *inflations),
+                 (p, r, degree, z, q, options, Z, Q, unique, inflations))

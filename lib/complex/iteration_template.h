@@ -17,6 +17,14 @@ typedef struct polynomials {
     lanes re[MOST_ROOTS + 1], im[MOST_ROOTS + 1], spread;
 } polynomials;
 
+INLINE mask is_zero(lanes a) { return at_most(absolute(a), all_lanes(0)); }
+
+/* |z| and |c_k|, rounded up. */
+INLINE lanes modulus(lanes re, lanes im) { return root(re * re + im * im + 0x1p-1000) * (1 + 8 * ROUNDING); }
+INLINE lanes size_of(const polynomials *p, int k) {
+    return p->real ? absolute(p->re[k]) : modulus(p->re[k], p->im[k]);
+}
+
 /* ---- start values ---- */
 
 /* log2 a, piecewise linear between powers of two; about -1023 for 0. */
@@ -124,6 +132,18 @@ typedef struct pull {
     complex_lanes sum;
     lanes nearest;
 } pull;
+
+/* What n points, but the one with that number, do to one; each lane has its own. */
+INLINE pull pull_of(const double *x, const double *y, int n, complex_lanes z, lanes number) {
+    pull all = {{all_lanes(0), all_lanes(0)}, all_lanes(0)};
+    for (int j = 0; j < n; j++) {
+        lanes dx = z.re - x[j], dy = z.im - y[j], inverse = 1 / (dx * dx + dy * dy);
+        inverse = choose(is_zero(number - j), all_lanes(0), inverse);
+        all.sum.re += dx * inverse, all.sum.im -= dy * inverse;
+        all.nearest = larger(inverse, all.nearest);
+    }
+    return all;
+}
 
 /* Adds a term to that of one of two roots, a - b apart, and its opposite to that of the other. */
 INLINE void add_pull(lanes dx, lanes dy, pull *a, pull *b) {

@@ -61,12 +61,6 @@ typedef struct seen {
 
 /* ---- the proof ---- */
 
-/* |c_k|, rounded up. */
-INLINE lanes size_of(const polynomials *p, int k) {
-    if (p->real) return absolute(p->re[k]);
-    return root(p->re[k] * p->re[k] + p->im[k] * p->im[k] + 0x1p-1000) * (1 + 8 * ROUNDING);
-}
-
 /* |c_n| of all polynomials within the error, rounded down; below 2^-300 it is of no use. */
 INLINE lanes least_lead(const polynomials *p, int n) {
     return size_of(p, n) * (1 - 16 * ROUNDING) - p->spread;
@@ -75,9 +69,7 @@ INLINE lanes least_lead(const polynomials *p, int n) {
 /* n |p(z_i)|. */
 INLINE lanes residual(const polynomials *p, int n, const lanes *size, complex_lanes z, mask *fits) {
     complex_lanes v = {p->re[n], p->im[n]};
-    lanes far = root(z.re * z.re + z.im * z.im + 0x1p-1000) * (1 + 8 * ROUNDING), sum = size[n],
-          power = p->spread;
-    lanes grown = larger(far, all_lanes(1));
+    lanes far = modulus(z.re, z.im), sum = size[n], power = p->spread, grown = larger(far, all_lanes(1));
     for (int k = n - 1; k >= 0; k--) {
         v = times(v, z);
         v.re += p->re[k];
@@ -172,7 +164,7 @@ INLINE seen find_seen(const polynomials *p, int n, const roots *r, const window 
         s.radius = choose(better, r->radius[i], s.radius);
     }
     for (int i = 0; i < n; i++) {
-        mask self = at_most(absolute(index - i), all_lanes(0));
+        mask self = is_zero(index - i);
         mask rival = ~(at[i].out | self) & at_most(at[i].magnitude - at[i].radius, best);
         rivals |= rival;
         if (!p->real) {

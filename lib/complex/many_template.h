@@ -31,18 +31,6 @@ INLINE complex_lanes evaluate_many(const algsurf_i_flat *p, int reversed, comple
     return v;
 }
 
-/* What all other points do to those named by `self`. */
-INLINE pull pull_of(const algsurf_i_approach *a, complex_lanes z, lanes self) {
-    pull all = {{all_lanes(0), all_lanes(0)}, all_lanes(0)};
-    for (int j = 0; j < a->p->n; j++) {
-        lanes dx = z.re - a->x[j], dy = z.im - a->y[j], inverse = 1 / (dx * dx + dy * dy);
-        inverse = choose(is_zero(self - j), all_lanes(0), inverse);
-        all.sum.re += dx * inverse, all.sum.im -= dy * inverse;
-        all.nearest = larger(inverse, all.nearest);
-    }
-    return all;
-}
-
 /* The steps of `count` points, at most LANES. */
 INLINE void set_steps(const algsurf_i_approach *a, const int *who, int count, int reversed) {
     const int n = a->p->n;
@@ -58,7 +46,7 @@ INLINE void set_steps(const algsurf_i_approach *a, const int *who, int count, in
         slope = times(w, slope);
         slope = times(w, (complex_lanes){n * v.re - slope.re, n * v.im - slope.im});
     }
-    pull b = pull_of(a, z, self);
+    pull b = pull_of(a->x, a->y, n, z, self);
     complex_lanes shared = times(v, b.sum), q = {slope.re - shared.re, slope.im - shared.im};
     lanes square = q.re * q.re + q.im * q.im;
     complex_lanes step = quotient_by(v, q, 1 / square);

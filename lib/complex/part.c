@@ -75,9 +75,7 @@ static int is_narrow(const algsurf_i_discs *d, int i) {
 /* Moves point i, the digits that are right tripled. */
 static int move(algsurf_i_discs *d, int i, algsurf_scaled step) {
     algsurf_i_disc *root = d->root + i;
-    algsurf_scaled head = root->z.head;
-    int64_t top = head.exponent > step.exponent ? head.exponent : step.exponent,
-            bits = 3 * (top - step.exponent) + 20;
+    int64_t top = larger(root->z.head, step).exponent, bits = 3 * (top - step.exponent) + 20;
     int on_axis = d->p->real && is_alone(d, i) && !less(root->disc, root->z.above);
     d->moved++;
     root->known = 0;
@@ -116,9 +114,8 @@ static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
  * all they can tell.  *done 0: there is none. */
 static int sharpen(algsurf_i_discs *d, int i, int *done) {
     algsurf_i_disc *root = d->root + i;
-    const algsurf_scaled step = root->step, head = root->z.head;
-    int64_t top = head.exponent > step.exponent ? head.exponent : step.exponent,
-            least = top - NARROW - d->more - LEAST_BITS,
+    const algsurf_scaled step = root->step;
+    int64_t least = larger(root->z.head, step).exponent - NARROW - d->more - LEAST_BITS,
             low = 2 * step.exponent - root->nearest.exponent - 10;
     if (low < least) low = least;
     *done = d->more > 0 && is_alone(d, i) && !root->stuck && low < step.exponent - LEAST_BITS &&
@@ -156,16 +153,6 @@ static int mean_of(algsurf_i_discs *d, int g, algsurf_i_point *middle, algsurf_s
                                wide->exponent - LEAST_BITS, on_axis);
 }
 
-/* Taylor's coefficients about z; that of 1 known well, or lost in the radii. */
-static int clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int m, int *w, algsurf_scaled *spread) {
-    algsurf_i_spread(d->p, z, m, spread);
-    for (;; *w += *w / 2 + 1) {
-        if (!algsurf_i_taylor(&d->sums, d->p, z, m, *w)) return 0;
-        algsurf_scaled first = by(d->sums.at->lost, CLEAR);
-        if (!less(size_of(algsurf_i_sum_head(d->sums.at)), first) || less(first, spread[0])) return 1;
-    }
-}
-
 /* All values of a group are lost in the radii. */
 static int is_stuck(const algsurf_i_discs *d, int g) {
     int stuck = 1;
@@ -186,7 +173,7 @@ static int place(algsurf_i_discs *d, int g) {
     algsurf_scaled *spread = q + m + 1, *z = spread + m + 1;
     for (int k = 0; k < MIDDLE_STEPS; k++) {
         if (w < 2 * middle.w + 2) w = 2 * middle.w + 2;
-        if (!clear_taylor(d, &middle, m, &w, spread)) return 0;
+        if (!algsurf_i_clear_taylor(d, &middle, m, CLEAR, &w, spread)) return 0;
         algsurf_i_sum *c = d->sums.at;
         for (int j = 0; j <= m; j++) q[j] = algsurf_i_sum_head(c + j);
         if (is_zero(q[m])) return 1;

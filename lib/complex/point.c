@@ -63,7 +63,7 @@ static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z
 
 int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_point *from,
                         algsurf_scaled way, int64_t low, int on_axis) {
-    int64_t top = (from->head.exponent > way.exponent ? from->head.exponent : way.exponent) + 2;
+    int64_t top = larger(from->head, way).exponent + 2;
     if (top - low > MOST_BITS) return 0;
     int w = top > low ? algsurf_z_width((int)(top - low) + 2) : 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);

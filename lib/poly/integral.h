@@ -53,6 +53,8 @@ void algsurf_zpoly_compact(algsurf_zpoly *p);
 /* p / 2^zeros, which must divide p (ALGSURF_Z_NO_BIT: p = 0), with limbs too many cut off; the degree stays.
  */
 void algsurf_zpoly_cut(algsurf_zpoly *p, int zeros);
+/* The coefficients of p as factors; null without memory. */
+algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *p);
 int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d);
 
 /* The sign of p at N 2^-r (r of any sign; N has w limbs), -1, 0, 1, in *sign.  value, exponent: null, or p

@@ -35,8 +35,7 @@ static int exact_quotient(divider *d, algsurf_limb *a, int w, const algsurf_z_fa
 }
 
 algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *b) {
-    size_t size = ((size_t)(b->degree + 1) * sizeof(algsurf_z_factor) + 7) / 8;
-    algsurf_z_factor *f = (algsurf_z_factor *)(void *)algsurf_memory_take(m, size);
+    algsurf_z_factor *f = algsurf_i_take(m, (size_t)(b->degree + 1) * sizeof *f);
     algsurf_limb *room = algsurf_memory_take(m, (size_t)(b->degree + 1) * (size_t)b->width);
     if (!f || !room) return NULL;
     for (int k = 0; k <= b->degree; k++)

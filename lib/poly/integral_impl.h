@@ -12,7 +12,4 @@ static inline int bits_of_int(int a) { return algsurf_limb_bits((algsurf_limb)a)
 static inline algsurf_limb *take(algsurf_memory *m, int limbs) {
     return algsurf_memory_take(m, (size_t)limbs);
 }
-
-/* The coefficients of p as factors; null without memory. */
-algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *p);
 #endif

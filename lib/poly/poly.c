@@ -20,16 +20,6 @@
 
 #define RAISE (1.0 + 0x1p-39) /* (1 - u)^-(12 * 512) < 1 + 2^-40, and once more for its own rounding */
 
-algsurf_status algsurf_i_check_polynomial(const double *c, int parts, const double *r, int degree) {
-    algsurf_status status = algsurf_i_check_degree(degree);
-    for (int k = 0; status == ALGSURF_OK && k <= degree; k++) {
-        const double *a = c + k * parts;
-        if (!isfinite(a[0]) || !isfinite(a[parts - 1]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
-        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
-    }
-    return status;
-}
-
 /* The index of the highest coefficient that is not exactly 0.  Steps above it are exact: counting them would
  * only let the constants for underflow grow with the powers of t. */
 static int highest(const double *c, const double *r, int degree) {

@@ -1,6 +1,8 @@
 /* value.h - a caller's polynomials: what they may be, their values with bounds, tables of them. */
 #ifndef ALGSURF_VALUE_H
 #define ALGSURF_VALUE_H
+#include <math.h>
+
 #include "algsurf/poly.h"
 
 /* OK, E_ARGUMENT below 0, or E_DEGREE above ALGSURF_MAX_POLY_DEGREE. */
@@ -11,7 +13,16 @@ static inline algsurf_status algsurf_i_check_degree(int degree) {
 
 /* The same, E_NOT_FINITE for numbers that are not, or E_ARGUMENT for a negative radius: coefficients of as
  * many parts, 1 or 2, and their radii, or null. */
-algsurf_status algsurf_i_check_polynomial(const double *c, int parts, const double *r, int degree);
+static inline algsurf_status algsurf_i_check_polynomial(const double *c, int parts, const double *r,
+                                                        int degree) {
+    algsurf_status status = algsurf_i_check_degree(degree);
+    for (int k = 0; status == ALGSURF_OK && k <= degree; k++) {
+        const double *a = c + k * parts;
+        if (!isfinite(a[0]) || !isfinite(a[parts - 1]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
+        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
+    }
+    return status;
+}
 
 typedef struct algsurf_i_bounded {
     double value, bound;

@@ -199,13 +199,6 @@ void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
 
 /* ---- cells of a piece ---- */
 
-int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
-                              const algsurf_i_watch *watch) {
-    *cells = (algsurf_exact_cells){.memory = m, .room = room, .watch = watch};
-    cells->waiting = algsurf_i_take(m, (size_t)room * sizeof *cells->waiting);
-    return cells->waiting != NULL;
-}
-
 /* f(2^shift u), up to a power of two. */
 static int times_power(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_zpoly *g) {
     int n = f->degree, up = shift > 0 ? shift : -shift, least = ALGSURF_Z_NO_BIT, most = 0;

@@ -21,8 +21,9 @@ int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsu
                         double lo, double hi, int refine, const algsurf_i_watch *watch) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
-    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1, watch) &&
-               algsurf_exact_pieces_begin(&walk->pieces, m, p, unit, lo, hi);
+    walk->cells = (algsurf_exact_cells){.memory = m, .watch = watch};
+    walk->cells.waiting = algsurf_i_take(m, (size_t)(p->degree + 1) * sizeof *walk->cells.waiting);
+    int done = walk->cells.waiting && algsurf_exact_pieces_begin(&walk->pieces, m, p, unit, lo, hi);
     walk->bottom = walk->top = algsurf_memory_here(m);
     return done;
 }

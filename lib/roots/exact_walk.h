@@ -45,8 +45,7 @@ typedef struct algsurf_exact_cell {
 typedef struct algsurf_exact_cells {
     algsurf_memory *memory;
     algsurf_exact_cell cell, *waiting;
-    int active; /* there is a cell in work */
-    int count, room;
+    int active, count;            /* there is a cell in work; so many wait */
     const algsurf_i_watch *watch; /* null: nobody looks */
     algsurf_exact_piece piece;    /* that the cells are of */
     int unit;                     /* of the polynomial: t = 2^unit u */
@@ -171,10 +170,6 @@ int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const al
 /* ---- shared by the engine's files ---- */
 
 /* exact_cell.c: cells, Bernstein coefficients in integers over dyadic parts of a piece. */
-
-/* No cells, and room for `room` that wait. */
-int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
-                              const algsurf_i_watch *watch);
 
 /* The whole of a piece becomes the cell, of f, a polynomial in u = 2^-unit t. */
 int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,

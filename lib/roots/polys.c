@@ -1,4 +1,4 @@
-/* polys.c - the table of kernels for roots. */
+/* polys.c - the table of kernels for roots, by itself: test_self_test puts another in its place. */
 #include "../base/arithmetic.h"
 #include "polys.h"
 

@@ -318,10 +318,8 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, d
 algsurf_status algsurf_refine_poly(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_refine_options *options, algsurf_refined_root *result) {
     if (!c || !result) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
+    algsurf_status status;
     const algsurf_i_coefficients set = {c, r, degree};
-    algsurf_status status = refine_poly(set, lo, hi, options, result);
-    algsurf_fpenv_leave(&saved);
+    ALGSURF_STANDARD(status = refine_poly(set, lo, hi, options, result));
     return status;
 }
