@@ -1,8 +1,8 @@
 /* exact_complex.h - complex roots without rounding, and random polynomials to be judged by them.
  *
- * The judge.  Numbers have so many bits here that sums and products are exact.  From an approximation
- * Newton's method finds a point z; the disc about it of radius n |p/p'|, with p and p' exact, holds a root
- * (Laguerre).
+ * The judge.  Numbers have so many bits here that sums and products are exact; magnitudes and quotients are
+ * rounded to Z_BITS.  From an approximation Newton's method finds a point z; the disc about it of radius
+ * n |p/p'|, with p and p' exact, holds a root (Laguerre).
  */
 #ifndef EXACT_COMPLEX_H
 #define EXACT_COMPLEX_H
@@ -38,28 +38,29 @@ static inline void add(point *a, const point *b) {
 
 static inline double magnitude(const point *a) {
     mpf_t s, t;
-    mpf_init2(s, BITS), mpf_init2(t, BITS);
+    mpf_init2(s, Z_BITS), mpf_init2(t, Z_BITS);
     mpf_mul(s, a->re, a->re), mpf_mul(t, a->im, a->im), mpf_add(s, s, t), mpf_sqrt(s, s);
     double d = mpf_get_d(s);
     mpf_clear(s), mpf_clear(t);
     return d;
 }
 
-/* a / b, rounded to Z_BITS. */
-static inline void divide(point *a, const point *b) {
-    mpf_t square, t;
-    point mate;
-    init(&mate), mpf_init2(square, BITS), mpf_init2(t, BITS);
-    mpf_mul(square, b->re, b->re), mpf_mul(t, b->im, b->im), mpf_add(square, square, t);
-    mpf_set(mate.re, b->re), mpf_neg(mate.im, b->im);
-    multiply(a, &mate);
-    mpf_div(a->re, a->re, square), mpf_div(a->im, a->im, square);
-    mpf_clear(square), mpf_clear(t), clear(&mate);
-}
-
 static inline void shorten(mpf_t a) {
     mpf_t t;
     mpf_init2(t, Z_BITS), mpf_set(t, a), mpf_set(a, t), mpf_clear(t);
+}
+
+/* a / b, rounded to Z_BITS; b loses what is beyond them. */
+static inline void divide(point *a, point *b) {
+    mpf_t square, t;
+    mpf_init2(square, Z_BITS), mpf_init2(t, Z_BITS);
+    shorten(a->re), shorten(a->im), shorten(b->re), shorten(b->im);
+    mpf_mul(square, b->re, b->re), mpf_mul(t, b->im, b->im), mpf_add(square, square, t);
+    mpf_neg(b->im, b->im);
+    multiply(a, b);
+    mpf_div(t, a->re, square), mpf_set(a->re, t);
+    mpf_div(t, a->im, square), mpf_set(a->im, t);
+    mpf_clear(square), mpf_clear(t);
 }
 
 /* ---- polynomials ---- */

@@ -36,8 +36,8 @@ static inline int exact_degree(mpz_t *c, int n) {
 static inline void exact_primitive(mpz_t *p, int n) {
     mpz_t content;
     mpz_init(content);
-    for (int k = 0; k <= n; k++) mpz_gcd(content, content, p[k]);
-    for (int k = 0; k <= n; k++) mpz_divexact(p[k], p[k], content);
+    for (int k = n; k >= 0 && mpz_cmp_ui(content, 1) != 0; k--) mpz_gcd(content, content, p[k]);
+    for (int k = 0; k <= n && mpz_cmp_ui(content, 1) != 0; k++) mpz_divexact(p[k], p[k], content);
     mpz_clear(content);
 }
 
@@ -190,17 +190,22 @@ static inline int exact_count_roots(const exact_sturm *s, double lo, double hi) 
 }
 
 /* The k-th root (k = 0, 1, ..) in [lo,hi], which has more than k: the double at or just below it, by
- * bisection.  lo and hi are finite. */
+ * bisection: by variations, and once it is alone in (lo,hi] by the sign.  lo and hi are finite. */
 static inline double exact_root(const exact_sturm *s, double lo, double hi, int k) {
     if (exact_is_root(s, lo) && k-- == 0) return lo;
-    int before = exact_variations(s, lo);
+    const int before = exact_variations(s, lo);
+    int left = before, right = exact_variations(s, hi), last = 0;
     for (;;) {
+        const int alone = left - right == 1;
+        if (alone && last == 0) last = exact_integers_sign(s->c, s->degree[0], hi);
+        if (alone && last == 0) return hi;
         double middle = 0.5 * lo + 0.5 * hi;
         if (!(middle > lo && middle < hi)) return exact_is_root(s, hi) ? hi : lo;
-        if (before - exact_variations(s, middle) > k)
-            hi = middle;
-        else
-            lo = middle;
+        const int now = alone ? exact_integers_sign(s->c, s->degree[0], middle) : exact_variations(s, middle);
+        if (alone && now == 0) return middle;
+        const int below = alone ? now == last : before - now > k;
+        *(below ? &hi : &lo) = middle;
+        if (!alone) *(below ? &right : &left) = now;
     }
 }
 

@@ -94,12 +94,12 @@ static void judge_one(const char *name, poly *p, int real) {
 
 /* ---- families ---- */
 
-/* Degrees to 320 in fewer bits: roots are 2^-20 apart. */
+/* Degrees to 256; roots are 2^-20 apart. */
 TEST(orthogonal_ones) {
-    static const int degree[] = {3, 7, 15, 31, 63, 127, 160, 320};
+    static const int degree[] = {3, 7, 15, 31, 63, 127, 160, 256};
     for (int i = 0; i < 8; i++) {
         const int n = degree[i];
-        set_precision(n > 160 ? 1024 : 2048);
+        set_precision(1024);
         judge_one("Chebyshev", orthogonal(CHEBYSHEV, n), n);
         if (n > 160) continue;
         judge_one("Legendre", legendre(n), n);
@@ -113,7 +113,7 @@ TEST(wilkinsons) {
         poly *q = make(0);
         mpz_set_ui(q->re[0], 1);
         for (int k = 1; k <= n && n < 160; k++) q = times_root(q, k, (k * 7) % 5 - 2, 1);
-        set_precision(2048);
+        set_precision(1024);
         judge_one("Wilkinson", wilkinson(n), n);
         judge_one("Wilkinson's, some of them complex", q, -1);
     }
@@ -221,7 +221,7 @@ static poly *toeplitz(const long *a, int bands, int n) {
 /* Grcar's matrix, and one with larger entries: eigenvalues that rounding of the matrix would move far. */
 TEST(toeplitz_ones) {
     static const long grcar[] = {1, 1, 1, 1}, other[] = {2, -3, 5, 0, 7};
-    set_precision(2048);
+    set_precision(1024);
     for (int n = 16; n <= 128; n *= 2) {
         judge_one("Toeplitz", toeplitz(grcar, 4, n), -1);
         judge_one("Toeplitz", toeplitz(other, 5, n), -1);
@@ -340,7 +340,7 @@ TEST(conjugates_are_told_apart) {
 
 /* Dense ones, of integers of very different sizes. */
 TEST(random_ones) {
-    set_precision(2048);
+    set_precision(1024);
     for (int round = 0; round < 12; round++) {
         int n = round % 3 == 2 ? 200 : 20 + random_below(40), complex = round % 2;
         poly *p = make(n);
@@ -360,7 +360,7 @@ TEST(random_ones) {
 /* Those whose values may come from doubles, on either side of where these end: ends of 2^-700 of the largest
  * coefficient, values of 2^900, coefficients of 53 and 54 bits. */
 TEST(borders_of_doubles) {
-    set_precision(2048);
+    set_precision(1024);
     static const int spread[] = {0, 30, 300, 690, 710, 900};
     for (int round = 0; round < 36; round++) {
         int n = 25 + random_below(50), complex = round % 2, kind = round / 2 % 3, E = spread[round / 6];

@@ -27,13 +27,17 @@ typedef struct terms {
 } terms;
 static terms root, power, product;
 
+/* place[i][j][k]: where the term of x^i y^j z^k may stand. */
 static void add_term(terms *to, const algsurf_term *t) {
-    for (int i = 0; i < to->count; i++)
-        if (to->of[i].i == t->i && to->of[i].j == t->j && to->of[i].k == t->k) {
-            to->of[i].a += t->a;
-            return;
-        }
-    if (to->count < MOST) to->of[to->count++] = *t;
+    static int place[65][65][65];
+    int *at = &place[t->i][t->j][t->k];
+    algsurf_term *old = to->of + *at;
+    if (*at < to->count && old->i == t->i && old->j == t->j && old->k == t->k) {
+        old->a += t->a;
+    } else if (to->count < MOST) {
+        *at = to->count;
+        to->of[to->count++] = *t;
+    }
 }
 
 static void make_power(int k, double by) {

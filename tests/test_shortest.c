@@ -22,9 +22,10 @@ static int digits_of(const char *text, char *digits) {
     return count - trailing;
 }
 
+/* A normal number's text of at most 15 digits is the nearest one of 15, but for zeros at its end. */
 static void check(double x) {
     char text[SHORTEST_ROOM], nearest[64], got[64], wanted[64];
-    int length = shortest_write(&powers, x, text), digits = 1;
+    int length = shortest_write(&powers, x, text), digits = fabs(x) >= DBL_MIN ? DBL_DIG : 1;
     assert_in_range(length, 1, SHORTEST_ROOM - 1);
     text[length] = 0;
     do {
