@@ -95,27 +95,36 @@ static void check_states(int degree, int count, int radii, const answers *a, int
     assert_int_equal(a->status, first);
 }
 
-static algsurf_real_root all_roots[MOST * TOP];
-static int counts[MOST];
+static algsurf_real_root all_roots[MOST * TOP], alone_roots[MOST][TOP];
+static int counts[MOST], alone_counts[MOST];
+
+/* Single calls for all roots. */
+static void solve_alone(int degree, int count) {
+    double one[TOP + 1];
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k <= degree; k++) one[k] = c[k][i];
+        algsurf_status status =
+            algsurf_real_roots(one, degree, lo[i], hi[i], alone_roots[i], TOP, alone_counts + i);
+        if (status < 0) alone_counts[i] = status;
+    }
+}
 
 /* All roots of polynomial i are the single call's. */
 static int same_roots(int degree, int i) {
-    algsurf_real_root alone[TOP];
+    const size_t size = counts[i] > 0 ? (size_t)counts[i] * sizeof **alone_roots : 0;
+    return counts[i] == alone_counts[i] && memcmp(all_roots + i * degree, alone_roots[i], size) == 0;
+}
+
+static exact_sturm sturm_of(int degree, int i) {
     double one[TOP + 1];
-    int count = -1;
     for (int k = 0; k <= degree; k++) one[k] = c[k][i];
-    algsurf_status status = algsurf_real_roots(one, degree, lo[i], hi[i], alone, TOP, &count);
-    if (status < 0) count = status;
-    return counts[i] == count &&
-           (count <= 0 || !memcmp(all_roots + i * degree, alone, (size_t)count * sizeof *alone));
+    return exact_sturm_of_doubles(one, degree);
 }
 
 /* The chain counts as many, and one at least between each pair of neighbours. */
 static int true_roots(int degree, int i) {
     const algsurf_real_root *root = all_roots + i * degree;
-    double one[TOP + 1];
-    for (int k = 0; k <= degree; k++) one[k] = c[k][i];
-    exact_sturm s = exact_sturm_of_doubles(one, degree);
+    exact_sturm s = sturm_of(degree, i);
     int right = exact_count_roots(&s, lo[i], hi[i]) == counts[i];
     for (int k = 0; k < counts[i]; k++) {
         right &= root[k].lo == root[k].hi || nextafter(root[k].lo, (double)INFINITY) == root[k].hi;
@@ -126,11 +135,13 @@ static int true_roots(int degree, int i) {
     return right;
 }
 
-static void check_all(int degree, int count) {
+/* With every kernel; a chain for each polynomial where they are `judged`. */
+static void check_all(int degree, int count, int judged) {
     static const char *const told = "all roots";
     algsurf_real_batch p = packet_of(degree, 0, (size_t)count, 0);
     algsurf_batch_options options = {.size = sizeof options};
     answers none = {.state = {0}};
+    solve_alone(degree, count);
     for (int i = 0; (options.kernel = algsurf_kernel_name(i)); i++) {
         memset(all_roots, 0x55, sizeof all_roots);
         algsurf_status status = algsurf_real_roots_batch(&p, &options, all_roots, counts);
@@ -140,12 +151,12 @@ static void check_all(int degree, int count) {
         while (bad < count && counts[bad] >= 0) bad++;
         assert_int_equal(status, bad < count ? counts[bad] : ALGSURF_OK);
     }
-    for (int j = 0; j < count && degree <= 12; j++)
+    for (int j = 0; j < count && degree <= 12 && judged; j++)
         if (counts[j] >= 0 && !true_roots(degree, j)) complain(told, degree, j, &none, counts[j]);
 }
 
 /* All kernels, then single calls; returns through seen how often each state came. */
-static void check(int degree, int count, int radii, answers *a, int seen[5]) {
+static void check_kernels(int degree, int count, int radii, int judged, answers *a, int seen[5]) {
     answers other;
     solve(degree, 0, (size_t)count, radii, NULL, a);
     const char *name;
@@ -158,16 +169,18 @@ static void check(int degree, int count, int radii, answers *a, int seen[5]) {
         assert_int_equal(other.status, a->status);
     }
     check_states(degree, count, radii, a, seen);
-    if (!radii) check_all(degree, count);
+    if (!radii) check_all(degree, count, judged);
+}
+
+static void check(int degree, int count, int radii, answers *a, int seen[5]) {
+    check_kernels(degree, count, radii, 1, a, seen);
 }
 
 /* Against the chain's first root. */
 static void check_roots(int degree, int count, const answers *a, double tolerance) {
     for (int i = 0; i < count; i++) {
-        double one[TOP + 1];
-        for (int k = 0; k <= degree; k++) one[k] = c[k][i];
         if (a->state[i] >= ALGSURF_FIRST_ROOT_UNDECIDED) continue;
-        exact_sturm s = exact_sturm_of_doubles(one, degree);
+        exact_sturm s = sturm_of(degree, i);
         int roots = exact_count_roots(&s, lo[i], hi[i]);
         if ((roots > 0) != (a->state[i] == ALGSURF_FIRST_ROOT_FOUND))
             complain("not true", degree, i, a, roots > 0);
@@ -214,12 +227,12 @@ TEST(test_random) {
     EACH_DEGREE(n) {
         int seen[5] = {0};
         answers a;
-        for (int round = 0; round < 4; round++) {
+        for (int round = 0; round < 2; round++) {
             put_random(n, &random);
             check(n, MOST, 0, &a, seen);
             if (n <= 12) check_roots(n, MOST, &a, 1e-11);
         }
-        assert_true(seen[0] >= MOST / 8 && seen[1] >= MOST / 4 && seen[2] <= MOST / 8);
+        assert_true(seen[0] >= MOST / 16 && seen[1] >= MOST / 8 && seen[2] <= MOST / 16);
     }
 }
 
@@ -277,7 +290,7 @@ TEST(test_touching) {
 TEST(test_special) {
     uint64_t random = SEED + 2;
     for (int n = 1; n <= 6; n++)
-        for (int round = 0; round < 8; round++) {
+        for (int round = 0; round < 4; round++) {
             int seen[5] = {0};
             answers a;
             for (int i = 0; i < MOST; i++) {
@@ -416,7 +429,7 @@ TEST(test_radii) {
         for (int i = 0; i < MOST; i++)
             for (int k = 0; k <= n; k++) r[k][i] = i % 4 ? size * fabs(random_unit(&random) * c[k][i]) : 0;
         check(n, MOST, 1, &a, seen);
-        check_roots(n, MOST, &a, INFINITY); /* c itself belongs to the set */
+        check_roots(n, n > 20 ? MOST / 8 : MOST, &a, INFINITY); /* c itself belongs to the set */
         for (int i = 0; i < MOST; i++)
             for (int k = 0; k <= n; k++) {
                 c[k][i] = ldexp(c[k][i], -350);
@@ -513,7 +526,7 @@ static void check_wide(int n, double sign, double from, double to) {
 TEST(test_wide_intervals) {
     static const int high[] = {4, 9, 19, 20, 21, 24, 29, 40, 63, 130, 255, 511};
     for (size_t i = 0; i < sizeof high / sizeof *high; i++)
-        for (int e = 2; e <= 1000; e += high[i] > 100 ? 333 : e < 100 ? 14 : 100)
+        for (int e = 2; e <= 1000; e += high[i] > 100 ? 333 : e < 100 ? 24 : 200)
             for (int f = -100; f <= 1000; f += 300)
                 for (int sign = -1; sign <= 1; sign += 2)
                     check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f));
@@ -632,7 +645,8 @@ TEST(test_errors) {
     assert_ok(algsurf_first_roots_batch(&p, NULL, NULL, NULL));
 }
 
-/* A bad number, or a zero polynomial, is refused alone; an interval may be a point. */
+/* A bad number, or a zero polynomial, is refused alone; an interval may be a point.  The others are as single
+ * calls have them, which other tests here judge. */
 static void spoil(int n, int i, int how, uint64_t *random) {
     static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     int k = random_int(random, n + 1);
@@ -652,6 +666,7 @@ TEST(test_bad_polynomials) {
     EACH_DEGREE(n)
     for (int radii = 0; radii < 2; radii++)
         for (int how = 0; how <= 17; how++) { /* 17: all of them */
+            if (n > 6 && (how + n) % 3) continue;
             int seen[5] = {0};
             answers a;
             put_random(n, &random);
@@ -660,7 +675,7 @@ TEST(test_bad_polynomials) {
             for (int i = 0; i < MOST; i++)
                 if (how == 17 || random_int(&random, 5) == 0)
                     spoil(n, i, how < 17 ? how : random_int(&random, 17), &random);
-            check(n, MOST, radii, &a, seen);
+            check_kernels(n, MOST, radii, 0, &a, seen);
         }
 }
 
@@ -682,6 +697,7 @@ TEST(test_no_intervals) {
         solve(n, 0, MOST, 0, NULL, &b);
         assert_true(same(&a, &b, MOST));
         assert_ok(algsurf_real_roots_batch(&p, NULL, all_roots, counts));
+        solve_alone(n, MOST);
         for (int i = 0; i < MOST; i++)
             if (!same_roots(n, i)) complain("all roots", n, i, &b, counts[i]);
     }
@@ -706,6 +722,7 @@ TEST(test_whole_line) {
         }
         algsurf_real_batch p = packet_of(n, 0, COUNT, 0);
         p.lo = p.hi = NULL;
+        solve_alone(n, COUNT);
         for (int kernel = 0; (options.kernel = algsurf_kernel_name(kernel)); kernel++) {
             memset(all_roots, 0x55, sizeof all_roots);
             const algsurf_status status = algsurf_real_roots_batch(&p, &options, all_roots, counts);
