@@ -87,7 +87,7 @@ static int check_ray(const algsurf_surface *surface, const algsurf_extent *exten
 TEST(hits) {
     uint64_t random = seed;
     int found = 0, empty = 0, smaller = 0;
-    for (int turn = 0; turn < 200; turn++) {
+    for (int turn = 0; turn < 100; turn++) {
         algsurf_surface *surface = random_surface(&random);
         if (!surface) continue;
         const algsurf_extent extent = random_extent(&random);
@@ -97,7 +97,7 @@ TEST(hits) {
         for (int k = 0; k < 40; k++) found += check_ray(surface, &extent, &b, &random);
         algsurf_surface_free(surface);
     }
-    assert_true(found > 1000 && empty > 5 && smaller > 5);
+    assert_true(found > 500 && empty > 2 && smaller > 2);
 }
 
 /* ---- points, which rounding may lose ---- */
@@ -124,8 +124,8 @@ static void check_point(const algsurf_surface *surface, const double p[3], algsu
 }
 
 /* Points with coordinates of 14 bits: squares, and sums of them, are doubles. */
-static void check_points(uint64_t random, double sign_z, algsurf_part part) {
-    for (int turn = 0; turn < 300; turn++) {
+static void check_points(uint64_t random, double sign_z, algsurf_part part, int turns) {
+    for (int turn = 0; turn < turns; turn++) {
         double p[3];
         algsurf_term terms[7];
         algsurf_surface *surface;
@@ -137,10 +137,10 @@ static void check_points(uint64_t random, double sign_z, algsurf_part part) {
     }
 }
 
-TEST(points) { check_points(seed + 1, 1, ALGSURF_PART_ALL); }
+TEST(points) { check_points(seed + 1, 1, ALGSURF_PART_ALL, 140); }
 
 /* The tips of cones. */
-TEST(tips) { check_points(seed + 2, -1, ALGSURF_PART_SINGULAR); }
+TEST(tips) { check_points(seed + 2, -1, ALGSURF_PART_SINGULAR, 70); }
 
 /* A surface that stands for others has their points in its box. */
 TEST(approximate) {
@@ -202,7 +202,7 @@ TEST(ends) {
     int inside = 0;
     (void)check_plane(10, 9, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1, 1, 1}, {0.1, 0.1, 0.1}});
     (void)check_plane(10, 1e10 - 3, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1e9, 1, 1e17}, {1, 0.1, 0.3}});
-    for (int turn = 0; turn < 500; turn++) {
+    for (int turn = 0; turn < 200; turn++) {
         int scale = random_int(&random, 2080) - 1070, fine = random_int(&random, 60);
         algsurf_extent e = {.kind = turn % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
         for (int i = 0; i < 3; i++) {
@@ -212,7 +212,7 @@ TEST(ends) {
         double a = turn % 2 ? 1 : 1 + random_int(&random, 99), half = 0.9 * random_unit(&random);
         inside += check_plane(a, turn % 2 ? e.centre[0] : a * (e.centre[0] + half * e.size[0]), &e);
     }
-    if (inside < 375) fail_msg("only %d of 500 are inside", inside);
+    if (inside < 150) fail_msg("only %d of 200 are inside", inside);
 }
 
 /* x = y: each end of the box, where a cell is an ulp long. */
@@ -232,8 +232,8 @@ TEST(diagonals) {
 
 /* ---- boxes that are known ---- */
 
-static void check_known(const char *equation, algsurf_part part, double size, const double lo[3], const double hi[3],
-                        double slack) {
+static void check_known(const char *equation, algsurf_part part, double size, const double lo[3],
+                        const double hi[3], double slack) {
     algsurf_surface *surface = surface_of(equation);
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}};
     const box b = enclosed(surface, &extent, part);

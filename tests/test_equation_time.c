@@ -56,7 +56,7 @@ TEST(test_expansions) {
         "((x+y+z+1)^30*2x y)((x+y+z-1)^30*2z y)",
         "1((((x+y+z+1)^31*x)^1)^1*(1*((x+y+z+1)^30-x)x)/2)",
     };
-    enum { ONES = 200, TERMS = 47905, UNITS = 12 };
+    enum { ONES = 100, TERMS = 47905, UNITS = 12 };
     algsurf_status status;
     char *ones = repeated("(x+y+z+1)^64", "*1", ONES, "");
     double unit = took(ones, NULL, 0, &status) / ONES / TERMS;
@@ -70,8 +70,8 @@ TEST(test_expansions) {
     double most = UNITS * unit * TERMS * (double)strlen(many);
     assert_ok(timed(many, NULL, 0, most));
     /* few terms of a high degree */
-    char *few = repeated("", "(x^32+y^32+z^32+1)(x^32+y^32+z^32+1)+", 2500, "x");
-    assert_ok(timed(few, NULL, 0, 0.6));
+    char *few = repeated("", "(x^32+y^32+z^32+1)(x^32+y^32+z^32+1)+", 1000, "x");
+    assert_ok(timed(few, NULL, 0, 0.3));
 }
 
 /* What is short as it is written has the coefficients of what it is: those of a product by its factors are
@@ -108,10 +108,10 @@ TEST(test_by_factors) {
 
 /* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
 TEST(test_names) {
-    for (size_t length = 2000; length <= 2000000; length *= 1000) {
+    for (size_t length = 2000; length <= 200000; length *= 100) {
         char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
         const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
-        double bound = length == 2000 ? 0.1 : 5;
+        double bound = length == 2000 ? 0.1 : 0.5;
         assert_int_equal(timed(repeated("", "a", length, "b"), constants, 2, bound), ALGSURF_E_NAME);
         assert_ok(timed(repeated("", "a", length - 1, "x"), constants, 4, bound));
         assert_int_equal(timed(repeated("x+sin ", "a", length - 1, ""), constants, 4, bound),

@@ -31,7 +31,7 @@ static view fit(const algsurf_surface *surface, const char *text, fit_choice *ch
 
 /* Per cent of the pixels that show something. */
 static double share_seen(const algsurf_surface *surface, const view *v) {
-    enum { W = 96, H = 72 };
+    enum { W = 48, H = 36 };
     static unsigned char state[W * H];
     static const double colour[3] = {1, 1, 1};
     const algsurf_render_options size = {.size = sizeof size, .width = W, .height = H};

@@ -400,7 +400,7 @@ static const char *judge_first(const edge_case *e, const algsurf_hit *h) {
 /* Roots just inside, just outside, and on the extent's surface. */
 static void judge_bounded(const edge_case *e, int round, int *undecided) {
     static const int becomes[] = {ALGSURF_STATE_UNDECIDED, ALGSURF_STATE_HIT, ALGSURF_STATE_MISS};
-    intersect_answer report, a;
+    intersect_answer report = {.count = 0}, a;
     for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
         const algsurf_intersect_options how = {
             .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};

@@ -320,11 +320,11 @@ TEST(test_undecided_rays) {
 }
 
 /* A picture with rays that integers decide: it is drawn, or E_NO_MEMORY. */
-enum { HALF = HEIGHT / 6 };
+enum { SMALL_WIDTH = 8, SMALL_HEIGHT = 4, HALF = SMALL_HEIGHT / 2 };
 
 typedef struct small_picture {
-    double hits[(HEIGHT / 3) * (WIDTH / 3)];
-    uint8_t pixels[HEIGHT / 3][WIDTH / 3 * 3];
+    double hits[SMALL_HEIGHT * SMALL_WIDTH];
+    uint8_t pixels[SMALL_HEIGHT][SMALL_WIDTH * 3];
     algsurf_render_stats stats;
 } small_picture;
 
@@ -338,8 +338,8 @@ static int stop_at(int done, int total, void *row) {
 /* With one thread; cancelled after that many rows. */
 static algsurf_status draw_rows(small_picture *p, int rows) {
     const algsurf_render_options options = {.size = sizeof options,
-                                            .width = WIDTH / 3,
-                                            .height = HEIGHT / 3,
+                                            .width = SMALL_WIDTH,
+                                            .height = SMALL_HEIGHT,
                                             .threads = 1,
                                             .progress = stop_at,
                                             .progress_data = &rows};
@@ -368,7 +368,7 @@ TEST(test_certified_picture) {
     assert_ok(algsurf_scene_create(s, &stage));
     assert_ok(algsurf_scene_set_extent(stage, &extent));
     assert_ok(draw_small(&small_reference));
-    assert_true(small_reference.stats.hits > WIDTH * HEIGHT / 90);
+    assert_true(small_reference.stats.hits > SMALL_WIDTH * SMALL_HEIGHT / 9);
     int refused = refuse_each(render_small);
     assert_true(refused > 0);
     /* rays that are not decided for want of memory do not keep the others from being drawn */
@@ -380,7 +380,7 @@ TEST(test_certified_picture) {
                 p.pixels[0][0] != 0xa5);
     /* cancelled meanwhile: that is told, and the rows before are those of the whole picture */
     static small_picture half;
-    uint8_t blank[HEIGHT / 3 - HALF][WIDTH / 3 * 3];
+    uint8_t blank[SMALL_HEIGHT - HALF][SMALL_WIDTH * 3];
     memset(blank, 0xa5, sizeof blank);
     assert_int_equal(draw_rows(&half, HALF), ALGSURF_CANCELLED);
     assert_true(half.stats.undecided > 0 && half.stats.undecided < p.stats.undecided);
