@@ -317,7 +317,7 @@ static int random_factor(const product *t, int size, factor *f) {
 TEST(test_random) {
     product *t = open_product();
     int cases = 0, multiple = 0, roots = 0, lost = 0;
-    for (int round = 0; round < 12000; round++) {
+    for (int round = 0; round < 5000; round++) {
         int factors = 1 + random_int(&seed, 5), most = 1 + random_int(&seed, 8);
         int size = 1 + random_int(&seed, round % 2 ? 3 : 30), several = 0;
         begin(t);
@@ -338,7 +338,7 @@ TEST(test_random) {
     close_product(t);
     print_message("%d cases, %d with multiple roots, %d roots, %d without a box of their own\n", cases,
                   multiple, roots, lost);
-    assert_true(multiple > 3000 && lost <= roots / 1000);
+    assert_true(multiple > 1250 && lost <= roots / 1000);
 }
 
 /* Q^m R with factors of any degree: every box must lie over that of one root of one factor, which says how
@@ -372,7 +372,7 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
 TEST(test_powers) {
     product *t = open_product();
     int cases = 0, degree = 0;
-    for (int round = 0; round < 600; round++) {
+    for (int round = 0; round < 300; round++) {
         long q[21] = {0}, r[21] = {0};
         int dq = 3 + random_int(&seed, round % 4 ? 6 : 18), dr = random_int(&seed, 6);
         int m = 2 + random_int(&seed, round % 4 ? 4 : 12), size = 1 + random_int(&seed, 4);
@@ -394,7 +394,7 @@ TEST(test_powers) {
     }
     close_product(t);
     print_message("%d cases, highest degree %d\n", cases, degree);
-    assert_true(cases > 200 && degree > 100);
+    assert_true(cases > 100 && degree > 100);
 }
 
 /* Degrees above 64. */

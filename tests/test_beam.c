@@ -30,7 +30,7 @@
 
 enum { MOST = ALGSURF_MAX_BEAM_DEGREE, SIDE = MOST + 1, PIXELS = 64, PLACES = PIXELS / ALGSURF_I_LEAF };
 
-static long ray_count = 2000;
+static long ray_count = 1200;
 static uint64_t first_seed = 20261123;
 
 static double uniform(uint64_t *seed, double lo, double hi) {

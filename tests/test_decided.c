@@ -329,7 +329,7 @@ TEST(test_degrees) {
                                 {n / 2, (n - 1) / 2, 0, 5},
                                 {0, 0, 0, whole(&seed, 9)}};
         assert_true(intersect_terms(&c, terms, 5));
-        for (int i = 0; i < (n < 24 ? 4 : 1) * rounds; i++) {
+        for (int i = 0; i < (n < 24 ? 2 : 1) * rounds; i++) {
             int d[3], point[3];
             for (int k = 0; k < 3; k++) point[k] = whole(&seed, 1);
             random_direction(&seed, d);
@@ -338,7 +338,7 @@ TEST(test_degrees) {
         }
         done();
     }
-    end(130, 60, 10, 0, 0);
+    end(85, 40, 6, 0, 0);
 }
 
 static double any_double(uint64_t *seed, int i) { return i % 7 == 0 ? 0 : random_wide(seed, -1074, 1023); }

@@ -79,7 +79,7 @@ TEST(pixels_show_what_their_rays_hit) {
     uint64_t seed = SEED;
     for (int e = 0; e < EQUATIONS; e++) {
         algsurf_surface *surface = surface_of(equations[e]);
-        for (int number = 0; number < 48; number++) {
+        for (int number = 0; number < 24; number++) {
             const algsurf_camera camera = random_camera(&seed, number);
             const algsurf_plane plane = {{random_unit(&seed), random_unit(&seed), 1}, 0.3};
             algsurf_intersect_options options = {.size = sizeof options};

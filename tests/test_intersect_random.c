@@ -71,15 +71,15 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
                  done, certain, hits, measured, precise, narrow);
 }
 
-TEST(test_low_degrees) { judge_family(4000, 5, 53, 0, 99); }
+TEST(test_low_degrees) { judge_family(2000, 5, 53, 0, 99); }
 
 TEST(test_high_degrees) {
-    judge_family(2500, 12, 16, 0, 97); /* some surfaces have coordinate planes as double factors */
+    judge_family(1250, 12, 16, 0, 97); /* some surfaces have coordinate planes as double factors */
 }
 
-TEST(test_high_degrees_all_bits) { judge_family(300, 12, 53, 0, 97); }
+TEST(test_high_degrees_all_bits) { judge_family(200, 12, 53, 0, 97); }
 
 /* Tangencies, double factors, roots at ends, exact multiple roots. */
-TEST(test_small_integers) { judge_family(3000, 6, 2, 1, 80); }
+TEST(test_small_integers) { judge_family(1500, 6, 2, 1, 80); }
 
 int main(void) { return unit_run("intersect random"); }

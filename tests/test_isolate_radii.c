@@ -90,7 +90,7 @@ static void judge_box(uint64_t *seed, const double *c, const double *r, int n, d
 
 TEST(test_boxes) {
     uint64_t seed = SEED;
-    int decided = 0, rounds = 1200, undecided = 0;
+    int decided = 0, rounds = 600, undecided = 0;
     for (int i = 0; i < rounds; i++) {
         double c[21], r[21], ends[4] = {-1.5, 2, -INFINITY, INFINITY};
         int n = 1 + random_int(&seed, 12), bits = 1 + random_int(&seed, 50);
@@ -319,14 +319,10 @@ static const char *judge_member(const double *member, int n) {
 }
 
 static double seconds_of(const double *c, const double *r, int n) {
-    double best = HUGE_VAL;
-    for (int i = 0; i < 3; i++) {
-        double start = unit_seconds();
-        answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
-                                            ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
-        best = fmin(best, unit_seconds() - start);
-    }
-    return best;
+    double start = unit_seconds();
+    answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
+                                        ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+    return unit_seconds() - start;
 }
 
 /* As many times the cost without radii, at most, and all members right. */
@@ -334,7 +330,7 @@ static void judge_high(uint64_t *seed, const double *c, const double *r, int n, 
     double plain = seconds_of(c, NULL, n), time = seconds_of(c, r, n), member[ALGSURF_MAX_POLY_DEGREE + 1];
     assert_true(answer.status >= 0);
     if (time > most * plain) fail_msg("degree %d: %g s, without radii %g s", n, time, plain);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 3; i++) {
         for (int k = 0; k <= n; k++) member[k] = c[k] + (random_int(seed, 3) - 1) * r[k];
         const char *wrong = judge_member(member, n);
         if (wrong) fail_msg("degree %d, member %d, seed %u: %s", n, i, SEED, wrong);

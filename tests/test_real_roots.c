@@ -37,7 +37,7 @@ TEST(test_random) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {-1, 1}, {0, INFINITY}, {-3, 0x1p-30}};
     uint64_t seed = 5;
     mpz_t *p = exact_polynomials(1, TOP + 1);
-    for (int i = 0; i < 600; i++) {
+    for (int i = 0; i < 400; i++) {
         int n = 1 + random_int(&seed, 9);
         for (int k = 0; k <= n; k++) random_integer(&seed, p[k], random_int(&seed, 6) ? 8 * (i % 200) : 0);
         if (exact_degree(p, n) < 0) continue;

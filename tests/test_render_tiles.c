@@ -13,7 +13,7 @@
 
 enum { WIDTH = 250, HEIGHT = 2000, ROWS = 37, TILED_DEGREE = 10 };
 
-static int views = 9;
+static int views = 6;
 static uint64_t first_seed = 20261124;
 
 typedef struct slice {

@@ -98,7 +98,7 @@ TEST(rays) {
         intersect_equation(&c, equations[e]);
         for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
             algsurf_surface *s = with_error(errors[k]);
-            for (int i = 0; i < 40; i++, judged += 2 * MEMBERS) {
+            for (int i = 0; i < 20; i++, judged += 2 * MEMBERS) {
                 random_ray(&seed);
                 judge(s, &seed, errors[k], &certain);
             }
@@ -120,7 +120,7 @@ TEST(high_powers) {
         intersect_equation(&c, high[e]);
         for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
             algsurf_surface *s = with_error(errors[k]);
-            for (int i = 0; i < 25; i++, judged += 2 * MEMBERS) {
+            for (int i = 0; i < 12; i++, judged += 2 * MEMBERS) {
                 random_ray(&seed);
                 judge(s, &seed, errors[k], &certain);
             }
@@ -150,7 +150,7 @@ TEST(far_roots) {
     static const double errors[] = {1e-2, 1e-5, 1e-9};
     uint64_t seed = SEED;
     int certain = 0, judged = 0;
-    for (int i = 0; i < 600; i++) {
+    for (int i = 0; i < 300; i++) {
         algsurf_term terms[4];
         int n = 1 + random_int(&seed, 3);
         for (int k = 0; k <= n; k++)
