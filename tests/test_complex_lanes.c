@@ -14,6 +14,7 @@
  *   a twin taken for any root                                                          two_mirrors
  *   a lane that moves on when it is done                                               lanes_do_not_mix
  *   the last step without doubled precision                                            settled_alike
+ *   what underflows in the square of a value left out                                  squares_that_underflow
  */
 #include "simd/baseline.h"
 
@@ -93,6 +94,31 @@ TEST(discs_hold_their_roots) {
     assert_true(proved[INTEGERS] * 20 >= tried[INTEGERS] * 19);
     assert_true(proved[CLUSTERED] * 4 >= tried[CLUSTERED] && proved[CLUSTERED] < tried[CLUSTERED]);
     assert_often(proved[SPARSE] * 4 >= tried[SPARSE]);
+}
+
+/* Values near 2^-537, of points next to roots: their squares are among the last numbers above 0. */
+TEST(squares_that_underflow) {
+    int proved = 0;
+    for (int round = 0; round < 2000; round++) {
+        problem p[LANES];
+        roots r;
+        double x, y;
+        for (int l = 0; l < LANES; l++) {
+            const int lead = -200 - below(100), off = -530 - below(12);
+            p[l] = (problem){.n = 1, .real = round % 2};
+            p[l].re[1] = ldexp(1 + fabs(uniform()), lead), p[l].re[0] = ldexp(uniform(), off - below(40));
+            if (!p[l].real) p[l].im[1] = ldexp(uniform(), lead), p[l].im[0] = ldexp(uniform(), off);
+            r.x[0][l] = ldexp(uniform(), off - lead), r.y[0][l] = ldexp(uniform(), off - lead - below(8));
+        }
+        polynomials q = in_lanes(p);
+        prove(&q, 1, &r);
+        for (int l = 0; l < LANES; l++) {
+            if (!(bits(r.apart) >> l & 1)) continue;
+            proved++;
+            judge(p + l, &r, l, &x, &y);
+        }
+    }
+    assert_true(proved > 100);
 }
 
 /* Exponents, zeros and multiple roots at which lanes without a guard have lied: nothing is claimed. */

@@ -27,7 +27,9 @@
  *
  * Range.  |c_k| <= 2^300, |c_0| and |c_n| >= 2^-300, |z_i| <= 2^(200/n), 2^-400 <= |D_i| <= 2^400, compared
  * so that NaN fails: nothing overflows, and what underflows is below 2^-800 in Horner's rule
- * (lanes_template.h), and in D_i, whose partial products are at least 2^-400 / 2^(200 + n), below u of it. */
+ * (lanes_template.h), and in D_i, whose partial products are at least 2^-400 / 2^(200 + n), below u of it. With
+ * m_i the least distance, |D_i| <= 2^(500 + n) m_i, and R is at least n 2^-500 / |D_i|: so m_i > (2 n + 6) R
+ * only where m_i^2 > 2^-1020, and what underflows in that is 2^-54 of it. */
 #ifndef ALGSURF_COMPLEX_BOXES_TEMPLATE_H
 #define ALGSURF_COMPLEX_BOXES_TEMPLATE_H
 #include "algsurf/allroots.h"

@@ -3,20 +3,22 @@
  * Proof: the discs of discs.c, from p as it is evaluated in double.  A polynomial is known to an error of at
  * most E max(1,|z|)^n for each complex z, E = spread; so is its leading coefficient to E (Cauchy).  For every
  * polynomial within that error:
- *   |p(z_i)| <= |Horner| + (4 n + 8) u S + E max(1,|z_i|)^n + 2^-600,   S = sum |c_k| |z_i|^k:
+ *   |p(z_i)| <= |Horner| + (4 n + 8) u S + E max(1,|z_i|)^n + 2^-536,   S = sum |c_k| |z_i|^k:
  * a step of Horner's rule makes a complex product, off by 2 u in each part, 2^(3/2) u in all, and a sum, off
  * by u: below 4 u of the running size.  The bound leaves 8 u S for higher orders; |z_i| is rounded up.
- *   radius_i = n |p(z_i)| / ((|c_n| (1 - 8 u) - E) prod_j |z_i - z_j|) (1 + 32 (n + 2) u) + 2^-1000:
+ *   radius_i = n |p(z_i)| / ((|c_n| (1 - 8 u) - E) prod_j |z_i - z_j|) (1 + 32 (n + 2) u) + 2^-500:
  * a squared distance is off by 4 u, its product with the others by 5 n u, the root of it by half of that and
  * u; all else is a few u, and |Horner| 2 u.
  *
  * Range.  |c_k| <= 2^300, |c_n| >= 2^-300, |z_i| <= 2^(200/n), prod |z_i - z_j|^2 >= 2^-500; otherwise a lane
  * proves nothing, and comparisons are such that NaN fails.  With this
  *   - nothing overflows: S < 2^530, and a product of squared distances stays below 2^(400 + 3 n);
- *   - what underflows in Horner's rule adds up to 2^-800 at most, which 2^-600 covers.  2^-1000 below the
- * root of |z|^2, and of |c_k|^2, keeps the sizes from being rounded down to 0;
+ *   - what underflows in Horner's rule adds up to 2^-800 at most, and in the squares of |Horner| to 2^-1074,
+ * of whose root 2^-537 is: 2^-536 covers both.  2^-1000 below the root of |z|^2, and of |c_k|^2, keeps the
+ * sizes from being rounded down to 0;
  *   - no product of distances underflows on the way: each was at least 2^-500 / 2^(400 + 3 n);
- *   - a radius may underflow, which 2^-1000 covers: squares of distances are above 2^-980.
+ *   - a radius may underflow, which 2^-1000 would cover: squares of distances are above 2^-980.  With 2^-500
+ * it exceeds what underflows in a magnitude, 2^-537, and its own square and those compared with it are normal.
  *
  * Discs are used only if all are apart, |z_i - z_j| > 3 (radius_i + radius_j): then each holds one root.  The
  * 3 gives reality: let p be real and |y_i| <= radius_i.  The mirror image of the disc is at most 2 radius_i
@@ -78,7 +80,7 @@ INLINE lanes residual(const polynomials *p, int n, const lanes *size, complex_la
         power *= grown;
     }
     *fits &= at_most(far, all_lanes(ldexp(1, 200 / n)));
-    return n * (root(v.re * v.re + v.im * v.im) + ((4 * n + 8) * ROUNDING * sum + power + 0x1p-600));
+    return n * (root(v.re * v.re + v.im * v.im) + ((4 * n + 8) * ROUNDING * sum + power + 0x1p-536));
 }
 
 INLINE void prove(const polynomials *p, int n, roots *r) {
@@ -100,7 +102,7 @@ INLINE void prove(const polynomials *p, int n, roots *r) {
     for (int i = 0; i < n; i++) {
         lanes value = residual(p, n, size, (complex_lanes){r->x[i], r->y[i]}, &r->apart);
         r->apart &= at_most(all_lanes(0x1p-500), product[i]);
-        r->radius[i] = value / (lead * root(product[i])) * (1 + 32 * (n + 2) * ROUNDING) + 0x1p-1000;
+        r->radius[i] = value / (lead * root(product[i])) * (1 + 32 * (n + 2) * ROUNDING) + 0x1p-500;
     }
     for (int i = 1; i < n; i++) {
         UNROLLED for (int j = 0; j < i; j++) {
