@@ -94,9 +94,9 @@ static void judge_one(const char *name, poly *p, int real) {
 
 /* ---- families ---- */
 
-/* Degrees to 256; roots are 2^-20 apart. */
+/* Degrees to 320; roots are 2^-20 apart. */
 TEST(orthogonal_ones) {
-    static const int degree[] = {3, 7, 15, 31, 63, 127, 160, 256};
+    static const int degree[] = {3, 7, 15, 31, 63, 127, 160, 320};
     for (int i = 0; i < 8; i++) {
         const int n = degree[i];
         set_precision(1024);

@@ -189,7 +189,7 @@ TEST(test_orthogonal) {
         judge_simple("Laguerre", recur(n, laguerre), n);
         judge_simple("Legendre", recur(n, legendre), n);
     }
-    judge_simple("Chebyshev", recur(256, chebyshev), 256);
+    judge_simple("Chebyshev", recur(320, chebyshev), 320);
     judge_simple("Legendre", recur(256, legendre), 256);
 }
 

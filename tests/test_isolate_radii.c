@@ -319,10 +319,14 @@ static const char *judge_member(const double *member, int n) {
 }
 
 static double seconds_of(const double *c, const double *r, int n) {
-    double start = unit_seconds();
-    answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
-                                        ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
-    return unit_seconds() - start;
+    double best = HUGE_VAL;
+    for (int i = 0; i < 2; i++) {
+        double start = unit_seconds();
+        answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
+                                            ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+        best = fmin(best, unit_seconds() - start);
+    }
+    return best;
 }
 
 /* As many times the cost without radii, at most, and all members right. */
