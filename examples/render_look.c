@@ -63,9 +63,8 @@ static double radius_of(const algsurf_extent *extent) {
     return extent->kind == ALGSURF_EXTENT_SPHERE ? extent->size[0] : length(extent->size);
 }
 
-/* The lights of Sanjuan-Estrada, Casado and Garcia, as far as their pictures tell: two squares of 5 x 5
- * points each, above on both sides; in camera axes (right, up, towards the viewer), in radii of what is
- * shown. */
+/* The lights of Chuyeshov's pictures, as far as these tell: two squares of 5 x 5 points each, above on both
+ * sides; in camera axes (right, up, towards the viewer), in radii of what is shown. */
 static const struct {
     double place[3], brightness;
 } paper_lights[2] = {{{-4.0, 5.0, 6.5}, 0.8}, {{5.0, 2.5, 5.5}, 0.45}};

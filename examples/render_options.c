@@ -131,8 +131,8 @@ static const cli_option options_table[] = {
      render_set_light, FIELD(look)},
     {"--lights", "usual|paper",
      "usual (default): one wide light.  paper: two square lights of 5x5 points, as in\n"
-     "the pictures of Sanjuan-Estrada, Casado and Garcia.  A file of SURFER has lights\n"
-     "of its own; --lights usual leaves them out",
+     "the pictures of Chuyeshov (2005).  A file of SURFER has lights of its own;\n"
+     "--lights usual leaves them out",
      render_set_lights, FIELD(look)},
     {"--quality", "preview|standard|full",
      "preview: shading by direction alone, as if the camera were the lamp.\n"
