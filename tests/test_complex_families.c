@@ -228,7 +228,7 @@ TEST(toeplitz_ones) {
     }
 }
 
-/* Roots 2^-k apart at rational places. */
+/* Roots 2^-k apart at rational places, some of them doubles, where the conjugate's value is small. */
 TEST(clusters) {
     for (int k = 10; k <= 40; k += 10)
         for (int size = 2; size <= 12; size += 5) {
@@ -237,6 +237,12 @@ TEST(clusters) {
             mpz_set_ui(p->re[0], 1);
             for (int i = 0; i < size; i++)
                 p = times_root(p, wide / 3 + i, i % 3, wide), p = times_root(p, -wide - i, 0, wide);
+            poly *f[FACTORS] = {p, make(0)};
+            mpz_set_ui(f[1]->re[0], 1);
+            f[1] = times_root(times_root(f[1], 5, 0, 1), 6, 1, 1);
+            poly *q = product(p, f[1]), *r = product(q, f[1]);
+            judge("clusters and double roots", r, (const poly *const *)f, (const int[FACTORS]){1, 2}, -1);
+            drop(f[1]), drop(q), drop(r);
             judge_one("clusters", p, -1);
         }
 }
@@ -287,8 +293,8 @@ static void judge_in_squares(const char *name, poly *q, int real) {
     drop(q);
 }
 
-/* Those that begin at square roots: of positive and negative numbers, of clusters and pairs, of numbers of very
- * different sizes and next to 0, with and without the root 0, of multiple roots. */
+/* Those that begin at square roots: of positive and negative numbers, of clusters and pairs, of numbers of
+ * very different sizes and next to 0, with and without the root 0, of multiple roots. */
 TEST(polynomials_of_squares) {
     set_precision(2048);
     judge_in_squares("Wilkinson's", wilkinson(40), 80);

@@ -88,11 +88,11 @@ static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *an
 
 /* ---- one factor ---- */
 
-/* h is not 0 within R of z. */
+/* h is not 0 within R of z, as sums of w limbs tell. */
 static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const algsurf_i_point *z,
-                      algsurf_scaled R, int *answer) {
+                      algsurf_scaled R, int w, int *answer) {
     algsurf_scaled far = sum(size_of(z->head), R), change = scaled_none();
-    if (!algsurf_i_taylor(sums, &h->p, z, 0, z->w + 3)) return 0;
+    if (!algsurf_i_taylor(sums, &h->p, z, 0, w)) return 0;
     for (int k = h->p.re.degree; k > 0; k--) change = sum(times(change, far), by(h->size[k], k));
     change = sum(times(change, R), sums->at->lost);
     *answer = less(by(change, 1 + 0x1p-20), size_of(algsurf_i_sum_head(sums->at)));
@@ -109,15 +109,18 @@ static int choose(algsurf_i_discs *d, const algsurf_i_integers *h, int *told) {
         algsurf_scaled R;
         if (!is_alone(d, i)) return !(*told = 0);
         if (!algsurf_i_centre(d, i, 0, &z, &R)) return 0;
-        if (!is_no_root(&d->sums, h, &z, R, &is_out)) return 0;
-        if (!algsurf_i_set_conjugate(d->m, &z, &z) || !is_no_root(&d->sums, h, &z, R, &mate_is_out)) return 0;
+        const int w = z.w + 3 + (int)(d->more / 64);
+        if (!is_no_root(&d->sums, h, &z, R, w, &is_out)) return 0;
+        if (!algsurf_i_set_conjugate(d->m, &z, &z)) return 0;
+        if (!is_no_root(&d->sums, h, &z, R, w, &mate_is_out)) return 0;
         root->left_out = (unsigned char)is_out;
         *told = is_out != mate_is_out;
     }
     return 1;
 }
 
-/* The same of each: h is 0 at one of two conjugates only, so discs that are narrow enough tell at which. */
+/* The same of each: h is 0 at one of two conjugates only, so discs that are narrow enough, and sums that are
+ * long enough, tell at which. */
 static int choose_all(algsurf_i_discs *d, const algsurf_i_integers *h) {
     for (int told, open;; d->more += d->more + 64) {
         if (!algsurf_i_discs_run(d, ALGSURF_I_MOST_SWEEPS, &open) || !choose(d, h, &told)) return 0;
