@@ -23,7 +23,7 @@ typedef struct algsurf_complex_root {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex root;  /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: proved real, box.im is [0,0]; 0: not real, or not known */
+    int real;              /* 1: real, box.im is [0,0]; 0: not real, or not known: radii, clusters */
 } algsurf_complex_root;
 
 /* All roots of sum c_k z^k.
@@ -33,9 +33,10 @@ typedef struct algsurf_complex_root {
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
  * If the lowest coefficients are exactly 0, the root 0 is exact.  Without radii (null, or all 0) each
  * different root has a box of its own, with its exact multiplicity, unless doubles cannot separate it from
- * another.  A box is at most two units in the last place of its larger part wide.  Real roots of real
- * polynomials are proved real, the others are in exactly conjugate boxes.  With radii, roots that cannot be
- * separated share a box.  Entries are in increasing order of root.re, then of root.im.
+ * another.  A box is at most two units in the last place of its larger part wide.  Real roots are proved
+ * real, with radii those of real polynomials; other roots of real polynomials are in exactly conjugate boxes.
+ * With radii, roots that cannot be separated share a box.  Entries are in increasing order of root.re, then
+ * of root.im.
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
@@ -76,7 +77,7 @@ typedef struct algsurf_precise_root {
     algsurf_integer re, im; /* limbs belong to the algsurf_precise_roots */
     int exponent, radius;   /* radius 0: this is the root exactly */
     int multiplicity;       /* exact */
-    int real; /* 1: proved real, im is 0; 0: not real, or not known (complex coefficients) */
+    int real;         /* 1: real, im is 0; 0: not real */
 } algsurf_precise_root;
 
 /* All roots of a polynomial of integers, to as many bits as are asked for.
@@ -85,8 +86,8 @@ typedef struct algsurf_precise_root {
  *   max_memory      bytes that work may allocate, beside the answer; 0: 1 GiB
  *   roots           to be freed by algsurf_precise_roots_free
  * Guarantee: each different root is there once, with its exact multiplicity, in a box of its own: verified.
- * Roots of real polynomials are proved real, or come in exactly conjugate pairs.  They are in increasing
- * order of re, then of im.
+ * Roots of real polynomials are real, or come in exactly conjugate pairs.  They are in increasing order of
+ * re, then of im.
  * Returns OK; or NOT_CONVERGED, if 1000 steps have not separated the roots, which is not known to happen:
  * nothing is written then.
  * Errors: E_ARGUMENT (null, bits, limbs as above), E_DEGREE, E_ZERO, E_NO_MEMORY.

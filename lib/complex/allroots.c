@@ -129,17 +129,24 @@ static int take_integers(problem *s, algsurf_i_integers *z) {
 
 /* ---- all ---- */
 
+/* A root may be real. */
+static int meets_axis(const algsurf_i_discs *d) {
+    for (int i = 0; i < d->n; i++)
+        if (!less(d->root[i].disc, by(d->root[i].z.above, 0.5))) return 1;
+    return 0;
+}
+
 /* The roots but 0, from start values or null. */
 static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given) {
     algsurf_i_discs d;
     int open;
     if (!algsurf_i_discs_begin(&d, s->m, z, given, &s->answer.proposed)) return 0;
     if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : FIRST_SWEEPS, &open)) return 0;
-    s->answer.unit = s->unit, s->answer.real = !z->p.im.c;
-    if (open && !s->r) {
+    s->answer.unit = s->unit;
+    if (!s->r && (open || (z->p.im.c && meets_axis(&d)))) {
         if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer)) return 0;
         if (s->answer.count > 0) return 1;
-        if (algsurf_i_is_in_squares(z)
+        if (open && algsurf_i_is_in_squares(z)
                 ? !algsurf_i_discs_separate(&d, s->m, z, ALGSURF_I_MOST_SWEEPS, &open, &s->answer.proposed)
                 : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
             return 0;

@@ -177,10 +177,7 @@ int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *a)
     if (a->precise) return algsurf_i_deliver_precisely(d, multiplicity, a);
     algsurf_complex_root *roots = a->roots + a->count;
     int count = make_boxes(d, a->unit, roots);
-    for (int i = 0; i < count; i++) {
-        roots[i].multiplicity *= multiplicity;
-        roots[i].real = roots[i].real && a->real;
-    }
+    for (int i = 0; i < count; i++) roots[i].multiplicity *= multiplicity;
     a->count += count;
     a->moved += d->moved;
     return 1;

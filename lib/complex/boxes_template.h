@@ -23,13 +23,14 @@
  * p, 7 u for the quotient, below (4 n + 8) u.  Two boxes could meet only if their z are within
  * 2^(1/2) (4 R + 2^-50 |z|), as |W| and the bound are at most 2 R together: (2 n + 6) R + 2^-45 |z| < m_i
  * forbids it, and makes discs disjoint and (n - 1) q <= 1/2.  A box off the axis does not meet its
- * conjugate's box, hence not the axis.  A root on it is real: its disc is symmetric.
+ * conjugate's box, hence not the axis.  A root on it is real: its disc is symmetric.  Where p is not real, no
+ * box may meet the axis: integers tell whether a root is on it.
  *
  * Range.  |c_k| <= 2^300, |c_0| and |c_n| >= 2^-300, |z_i| <= 2^(200/n), 2^-400 <= |D_i| <= 2^400, compared
  * so that NaN fails: nothing overflows, and what underflows is below 2^-800 in Horner's rule
- * (lanes_template.h), and in D_i, whose partial products are at least 2^-400 / 2^(200 + n), below u of it. With
- * m_i the least distance, |D_i| <= 2^(500 + n) m_i, and R is at least n 2^-500 / |D_i|: so m_i > (2 n + 6) R
- * only where m_i^2 > 2^-1020, and what underflows in that is 2^-54 of it. */
+ * (lanes_template.h), and in D_i, whose partial products are at least 2^-400 / 2^(200 + n), below u of it.
+ * With m_i the least distance, |D_i| <= 2^(500 + n) m_i, and R is at least n 2^-500 / |D_i|: so m_i > (2 n +
+ * 6) R only where m_i^2 > 2^-1020, and what underflows in that is 2^-54 of it. */
 #ifndef ALGSURF_COMPLEX_BOXES_TEMPLATE_H
 #define ALGSURF_COMPLEX_BOXES_TEMPLATE_H
 #include "algsurf/allroots.h"
@@ -245,6 +246,7 @@ INLINE void take_step(const polynomials *p, layout s, const lanes *size, points 
         b->yl[g] = choose(axis, y, b->yl[g]);
         good[g] = a[g].sound & less((2 * n + 6) * reach + 0x1p-45 * a[g].far, a[g].distance) &
                   is_narrow(b, g, axis) & less(most[g], all_lanes(0x1p300));
+        if (!p->real) good[g] &= less(b->radius[g] + absolute(b->yl[g]), absolute(b->y[g]));
         r->x[g] = b->x[g];
         r->y[g] = p->real ? choose(less(y, all_lanes(0)), -b->y[g], b->y[g]) : b->y[g];
     }

@@ -64,7 +64,6 @@ typedef struct algsurf_i_disc {
 /* Where roots go to. */
 typedef struct algsurf_i_answer {
     int64_t unit;                   /* roots are times 2^unit */
-    int real;                       /* all coefficients are real */
     int count;                      /* of boxes, which may meet */
     algsurf_complex_root *roots;    /* room for the degree */
     algsurf_precise_roots *precise; /* not null: the roots go there, in place of boxes */
@@ -164,7 +163,8 @@ int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, a
 
 /* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
  * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
- * Adds to *corrections how many there were of a root; null: there is none, the start values are the answer. */
+ * Adds to *corrections how many there were of a root; null: there is none, the start values are the answer.
+ */
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
                       algsurf_scaled *z, int *corrections);
 
@@ -188,8 +188,8 @@ int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);
 /* p is a polynomial of z^2. */
 int algsurf_i_is_in_squares(const algsurf_i_integers *p);
 /* Begins and runs discs for p, which is squarefree. */
-int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p, int most, int *open,
-                             int *corrections);
+int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p, int most,
+                             int *open, int *corrections);
 
 /* ---- factors.c ---- */
 
@@ -197,8 +197,8 @@ int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_in
 int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
                             algsurf_i_integers *z);
 
-/* All roots of an exact polynomial with multiple ones, each with its multiplicity; real: it has real
- * coefficients.  The answer's count stays 0 if there are no multiple ones. */
+/* All roots of an exact polynomial, each with its multiplicity, if there are multiple ones, or if it is
+ * complex and shares roots with its conjugate, as real ones; else the answer's count stays 0. */
 int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer);
 
 /* ---- on_axis.c ---- */

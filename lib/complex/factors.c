@@ -1,13 +1,14 @@
-/* factors.c - polynomials with multiple roots, by factors that have none.
+/* factors.c - polynomials with multiple roots, by factors that have none; complex ones with real roots.
  *
  * Real ones: p is a constant times prod f_k^k, where the squarefree f_k holds the roots of multiplicity k,
  * once each (Yun 1976, poly/multiplicity.c); each f_k is solved by itself.
  *
- * Others: p = a + ib with a, b in Z[x], g = gcd(a, b), p = g h.  The real g is solved like that.  h = u + iv
- * has no real root and none together with its conjugate, as both u and v would vanish there, which have no
- * common factor.  So the roots of N = u^2 + v^2 = h h* are those of h, with their multiplicities, and their
- * conjugates: of each pair, h vanishes at one.  At the other it is shown not to: |h(z)| exceeds its change
- * over a disc that holds the root, R sum k |c_k| (|z| + R)^(k-1). */
+ * Others: p = a + ib with a, b in Z[x], g = gcd(a, b), p = g h.  The real g has the real roots, and those
+ * that have their conjugates with them; it is solved like that.  h = u + iv has no real root and none
+ * together with its conjugate, as both u and v would vanish there, which have no common factor.  If it is
+ * squarefree it is solved as it is.  If not, the roots of N = u^2 + v^2 = h h* are those of h, with their
+ * multiplicities, and their conjugates: of each pair, h vanishes at one.  At the other it is shown not to:
+ * |h(z)| exceeds its change over a disc that holds the root, R sum k |c_k| (|z| + R)^(k-1). */
 #include "../base/arithmetic.h"
 
 #include "../poly/residue.h"
@@ -129,15 +130,13 @@ static int choose_all(algsurf_i_discs *d, const algsurf_i_integers *h) {
 }
 
 /* The roots of f, which is squarefree; h not null: those that h has, too. */
-static int solve_factor(algsurf_memory *m, const algsurf_zpoly *f, int multiplicity,
+static int solve_factor(algsurf_memory *m, algsurf_i_integers *f, int multiplicity,
                         const algsurf_i_integers *h, algsurf_i_answer *answer) {
-    algsurf_i_integers z;
     algsurf_i_discs d;
     int open;
-    if (!algsurf_i_make_integers(m, f, NULL, &z)) return 0;
-    if (!algsurf_i_discs_separate(&d, m, &z, ALGSURF_I_MOST_SWEEPS, &open, &answer->proposed)) return 0;
+    if (!algsurf_i_discs_separate(&d, m, f, ALGSURF_I_MOST_SWEEPS, &open, &answer->proposed)) return 0;
     if (h && !choose_all(&d, h)) return 0;
-    z.p.real = !h;
+    if (h) f->p.real = 0;
     return algsurf_i_deliver(&d, multiplicity, answer);
 }
 
@@ -160,11 +159,14 @@ static int solve_shares(algsurf_memory *m, const algsurf_zpoly *p, const algsurf
     int highest;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_zpoly *share = algsurf_i_take(m, (size_t)(p->degree + 1) * sizeof *share), f;
+    algsurf_i_integers z;
     if (!share || !algsurf_zpoly_multiplicities(m, p, share, &highest)) return 0;
     for (int k = 1; k <= highest && (always || highest > 1); k++) {
         algsurf_memory_mark before = algsurf_memory_here(m);
         if (share[k - 1].degree == (k < highest ? share[k].degree : 0)) continue;
-        if (!make_factor(m, share, highest, k, &f) || !solve_factor(m, &f, k, h, answer)) return 0;
+        if (!make_factor(m, share, highest, k, &f) || !algsurf_i_make_integers(m, &f, NULL, &z) ||
+            !solve_factor(m, &z, k, h, answer))
+            return 0;
         algsurf_memory_release(m, before);
     }
     algsurf_memory_release(m, mark);
@@ -188,19 +190,22 @@ static int make_norm(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zp
 }
 
 int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer) {
-    int squarefree;
+    int squarefree, common;
     algsurf_zpoly N;
     algsurf_i_integers h;
     if (!p->im.c) return solve_shares(m, &p->re, NULL, 0, answer);
     if (!is_squarefree(m, p, &squarefree)) return 0;
-    if (squarefree) return 1;
+    if (squarefree && !algsurf_zpoly_gcd_degree(m, &p->re, &p->im, 2, &common)) return 0;
+    if (squarefree && common == 0) return 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_parts parts = {.u = algsurf_zpoly_trimmed(&p->re), .v = algsurf_zpoly_trimmed(&p->im)};
     if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(m, &p->re, &p->im, &parts)) return 0;
     if (parts.g.degree > 0 && !solve_shares(m, &parts.g, NULL, 1, answer)) return 0;
-    if (!algsurf_i_make_integers(m, &parts.u, &parts.v, &h) || !make_norm(m, &parts.u, &parts.v, &N))
+    if (!algsurf_i_make_integers(m, &parts.u, &parts.v, &h)) return 0;
+    if (h.p.re.degree > 0 && squarefree && !solve_factor(m, &h, 1, NULL, answer)) return 0;
+    if (h.p.re.degree > 0 && !squarefree &&
+        (!make_norm(m, &parts.u, &parts.v, &N) || !solve_shares(m, &N, &h, 1, answer)))
         return 0;
-    if (N.degree > 0 && !solve_shares(m, &N, &h, 1, answer)) return 0;
     algsurf_memory_release(m, mark);
     return 1;
 }

@@ -18,7 +18,8 @@
  * sizes from being rounded down to 0;
  *   - no product of distances underflows on the way: each was at least 2^-500 / 2^(400 + 3 n);
  *   - a radius may underflow, which 2^-1000 would cover: squares of distances are above 2^-980.  With 2^-500
- * it exceeds what underflows in a magnitude, 2^-537, and its own square and those compared with it are normal.
+ * it exceeds what underflows in a magnitude, 2^-537, and its own square and those compared with it are
+ * normal.
  *
  * Discs are used only if all are apart, |z_i - z_j| > 3 (radius_i + radius_j): then each holds one root.  The
  * 3 gives reality: let p be real and |y_i| <= radius_i.  The mirror image of the disc is at most 2 radius_i
