@@ -224,7 +224,7 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
 /* The nearest of a, b, c to a + b - c: Paeth's predictor. */
 static int nearest(int a, int b, int c) {
     const int da = abs(b - c), db = abs(a - c), dc = abs(a + b - 2 * c);
-    return (da <= db) & (da <= dc) ? a : db <= dc ? b : c;
+    return ((da <= db) & (da <= dc)) ? a : db <= dc ? b : c;
 }
 
 /* What a filter leaves of a row, behind the filter's number, and the sum of its magnitudes modulo 256.
