@@ -41,7 +41,7 @@ typedef struct algsurf_complex_root {
  * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
  * else integers of as many bits as it takes: Wilkinson's polynomial of degree 20 0.2 milliseconds,
- * Chebyshev's of degree 160 0.2 seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).
+ * Chebyshev's of degree 160 0.05 seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).
  * Memory: some KiB for each degree and root, 1 GiB at most, where 15 KiB of the stack do not suffice.  All is
  * freed.
  * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs), Yun
