@@ -232,7 +232,7 @@ TEST(test_random) {
             check(n, MOST, 0, &a, seen);
             if (n <= 12) check_roots(n, MOST, &a, 1e-11);
         }
-        assert_true(seen[0] >= MOST / 16 && seen[1] >= MOST / 8 && seen[2] <= MOST / 16);
+        assert_often(seen[0] >= MOST / 16 && seen[1] >= MOST / 8 && seen[2] <= MOST / 16);
     }
 }
 
@@ -463,7 +463,7 @@ TEST(test_infinite_ends) {
             if (a.root[i] != first || (a.state[i] == ALGSURF_FIRST_ROOT_FOUND && !isfinite(a.root[i])))
                 complain("another root than the single call's", n, i, &a, counts[i]);
         }
-        assert_true(seen[0] >= 4 && seen[1] >= MOST / 4 && seen[4] == 1);
+        assert_often(seen[0] >= 4 && seen[1] >= MOST / 4 && seen[4] == 1);
         for (int i = 0; i < MOST; i++)
             for (int k = 0; k <= n; k++) r[k][i] = 0x1p-30 * fabs(c[k][i]);
         check(n, MOST, 1, &a, seen);
