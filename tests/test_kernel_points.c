@@ -216,7 +216,7 @@ TEST(catalogue_hits) {
                 get(&out, i, 1, got);
                 right &= off(got, hits[i].position) <= 1e-12 * far;
                 get(&out, i, 4, got);
-                right &= off(got, hits[i].normal) <= 1e-6;
+                right &= off(got, hits[i].normal) <= (random_salt ? 1e-4 : 1e-6); /* beside double lines */
                 if (!right) fail_msg("%s, view %d, pixel %d %d", e->name, turn, pixel[i], y);
             }
             algsurf_surface_free(s.surface);
