@@ -421,6 +421,39 @@ TEST(borders_of_doubles) {
     }
 }
 
+/* s t (a - s t + 2^-w t^2) has a root just beyond s a, a double, and 0: of neighbours of s a the box has
+ * those that the root is between, also among the last numbers above 0 and the largest ones. */
+TEST(beside_doubles_of_all_sizes) {
+    static const int places[][2] = {{-1074, 0}, {-1073, 0},  {-1040, 0},  {-950, 0},
+                                    {0, 200},   {950, 1200}, {1000, 1200}};
+    set_precision(4096);
+    for (size_t i = 0; i < 4 * sizeof places / sizeof *places; i++) {
+        const int e = places[i / 4][0], w = places[i / 4][1], m = i & 1 ? 3 : 1, s = i & 2 ? -1 : 1;
+        const mp_bitcnt_t up = (mp_bitcnt_t)(e < -w ? -e : w);
+        const double a = ldexp(m, e);
+        algsurf_complex_root root[3];
+        algsurf_integer c[4];
+        int count, found = 0;
+        poly *p = make(3);
+        mpz_set_si(p->re[1], s * m), mpz_mul_2exp(p->re[1], p->re[1], (mp_bitcnt_t)((int)up + e));
+        mpz_set_si(p->re[2], -1), mpz_mul_2exp(p->re[2], p->re[2], up);
+        mpz_set_si(p->re[3], s), mpz_mul_2exp(p->re[3], p->re[3], up - (mp_bitcnt_t)w);
+        integers(p->re, 3, c);
+        assert_int_equal(algsurf_complex_roots_integers(c, NULL, 3, root, &count), ALGSURF_OK);
+        assert_int_equal(count, 3);
+        for (int k = 0; k < 3; k++) {
+            const algsurf_interval box = root[k].box.re;
+            assert_true(root[k].real && root[k].multiplicity == 1);
+            if (s < 0)
+                found += box.hi == -a && box.lo == nextafter(-a, -INFINITY);
+            else
+                found += box.lo == a && box.hi == nextafter(a, INFINITY);
+        }
+        if (!found) fail_msg("%d 2^%d, s = %d", m, e, s);
+        drop(p);
+    }
+}
+
 /* Arguments, and the root 0. */
 TEST(the_interface) {
     const uint64_t two_limb = 2, zero = 0;

@@ -77,11 +77,16 @@ static int has_one_inside(algsurf_interval x, double *one) {
     return isfinite(x.lo) && isfinite(x.hi) && (x.lo == x.hi || nextafter(*one, HUGE_VAL) == x.hi);
 }
 
-int algsurf_i_double_inside(const algsurf_i_discs *d, int i, double z[2]) {
-    algsurf_cinterval box = box_of(d, i, 0).box;
+int algsurf_i_double_inside(const algsurf_i_discs *d, int i, algsurf_scaled z[2]) {
+    const int64_t unit = larger(d->root[i].z.head, d->root[i].step).exponent;
+    algsurf_cinterval box = box_of(d, i, -unit).box;
+    double x, y;
     if (d->p->real && box.im.lo <= 0 && box.im.hi >= 0) box.im = (algsurf_interval){0, 0};
     if (box.re.lo == box.re.hi && box.im.lo == box.im.hi) return 0;
-    return has_one_inside(box.re, z) && has_one_inside(box.im, z + 1);
+    if (!has_one_inside(box.re, &x) || !has_one_inside(box.im, &y)) return 0;
+    if ((x != 0 && fabs(x) < 0x1p-1000) || (y != 0 && fabs(y) < 0x1p-1000)) return 0;
+    z[0] = scaled_of(x, 0, unit), z[1] = scaled_of(0, y, unit);
+    return 1;
 }
 
 static double middle(algsurf_interval x) { return inside(x, 0.5 * x.lo + 0.5 * x.hi); }

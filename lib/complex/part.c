@@ -251,17 +251,17 @@ static int all_known(const algsurf_i_discs *d) {
 /* Roots next to a double, in each part, go there: they are that double, or at one side of it, by much more
  * than their discs' radii. */
 static int snap(algsurf_i_discs *d) {
-    double z[2];
+    algsurf_scaled z[2];
     for (int i = 0; i < d->n; i++) {
         algsurf_i_disc *root = d->root + i;
         if (d->p->radius || root->snapped || !is_alone(d, i) || !algsurf_i_double_inside(d, i, z)) continue;
+        const int least = is_zero(z[0]) || (!is_zero(z[1]) && z[1].exponent < z[0].exponent);
+        const int64_t low = z[least].exponent - 53;
         root->snapped = 1;
-        double least = fmin(z[0] == 0 ? HUGE_VAL : fabs(z[0]), z[1] == 0 ? HUGE_VAL : fabs(z[1]));
-        if (least < 0x1p-900 || fmax(fabs(z[0]), fabs(z[1])) > 0x1p900) continue;
         root->known = 0;
         d->moved++;
-        if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, scaled_of(z[0], z[1], 0),
-                                 ilogb(least) - 53, 0))
+        if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, z[!least], low, 0) ||
+            !algsurf_i_set_point(d->m, &root->z, &root->z, z[least], low, 0))
             return 0;
     }
     return 1;
