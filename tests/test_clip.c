@@ -293,6 +293,25 @@ TEST(complex_space_is_cut) {
     assert_true(fewer > 100 && hits > 500);
 }
 
+/* x - y <= 5 goes along the ray, and is kept by the part that the other two leave: whichever is given first.
+ */
+TEST(their_order_plays_no_part) {
+    const algsurf_plane planes[3] = {{{1, -1, 0}, 5}, {{1, 0, 0}, 1}, {{-1, 0, 0}, 1}};
+    const algsurf_ray ray = {{0, 0, 0}, {1, 1, 0}, -INFINITY, INFINITY};
+    algsurf_surface *surface;
+    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 + 1", NULL, 0, &surface, NULL),
+                     ALGSURF_OK);
+    for (int k = 0; k < 3; k++) {
+        const algsurf_plane turned[3] = {planes[k], planes[(k + 1) % 3], planes[(k + 2) % 3]};
+        const algsurf_intersect_options how = {.size = sizeof how, .planes = turned, .plane_count = 3};
+        algsurf_hit hit;
+        assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &hit), ALGSURF_OK);
+        assert_int_equal(hit.state, ALGSURF_STATE_MISS);
+        assert_int_equal(hit.side, 1);
+    }
+    algsurf_surface_free(surface);
+}
+
 /* ---- arguments ---- */
 
 TEST(bad_planes_are_refused) {
