@@ -454,6 +454,35 @@ TEST(beside_doubles_of_all_sizes) {
     }
 }
 
+/* z (i s m 2^e - z): a root with a real part of 0 is exact, and told from the root 0, down to the last
+ * numbers above 0; of doubles and of integers. */
+TEST(imaginary_ones) {
+    for (int i = 0; i < 24; i++) {
+        static const int places[] = {-1074, -1073, -1060, -900, 0, 970};
+        const int e = places[i / 4], m = i & 1 ? 3 : 1, s = i & 2 ? -1 : 1;
+        const double a = s * ldexp(m, e);
+        const algsurf_complex c[3] = {{0, 0}, {0, a}, {-1, 0}};
+        algsurf_integer re[3], im[3];
+        algsurf_complex_root root[2];
+        int count;
+        poly *p = make(2);
+        mpz_set_si(p->re[2], -1), mpz_mul_2exp(p->re[2], p->re[2], e < 0 ? (mp_bitcnt_t)-e : 0);
+        mpz_set_si(p->im[1], s * m), mpz_mul_2exp(p->im[1], p->im[1], e < 0 ? 0 : (mp_bitcnt_t)e);
+        integers(p->re, 2, re), integers(p->im, 2, im);
+        for (int kind = 0; kind < 2; kind++) {
+            assert_int_equal(kind ? algsurf_complex_roots_integers(re, im, 2, root, &count)
+                                  : algsurf_complex_roots(c, NULL, 2, root, &count),
+                             ALGSURF_OK);
+            assert_int_equal(count, 2);
+            const algsurf_cinterval box = root[s > 0].box; /* sorted by im */
+            if (!(box.re.lo == 0 && box.re.hi == 0 && box.im.lo == a && box.im.hi == a))
+                fail_msg("%d 2^%d, kind %d: [%a, %a] + i [%a, %a]", s * m, e, kind, box.re.lo, box.re.hi,
+                         box.im.lo, box.im.hi);
+        }
+        drop(p);
+    }
+}
+
 /* Arguments, and the root 0. */
 TEST(the_interface) {
     const uint64_t two_limb = 2, zero = 0;

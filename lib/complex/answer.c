@@ -71,10 +71,12 @@ static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit
     return root;
 }
 
-/* The double inside of [lo,hi], if it is one, or lo = hi. */
+/* The double inside of [lo,hi], if it is one, or 0, or lo = hi. */
 static int has_one_inside(algsurf_interval x, double *one) {
-    *one = x.lo == x.hi ? x.lo : nextafter(x.lo, HUGE_VAL);
-    return isfinite(x.lo) && isfinite(x.hi) && (x.lo == x.hi || nextafter(*one, HUGE_VAL) == x.hi);
+    const int has_zero = x.lo < 0 && x.hi > 0;
+    *one = x.lo == x.hi ? x.lo : has_zero ? 0 : nextafter(x.lo, HUGE_VAL);
+    if (!isfinite(x.lo) || !isfinite(x.hi)) return 0;
+    return has_zero || x.lo == x.hi || nextafter(*one, HUGE_VAL) == x.hi;
 }
 
 int algsurf_i_double_inside(const algsurf_i_discs *d, int i, algsurf_scaled z[2]) {

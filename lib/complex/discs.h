@@ -212,8 +212,9 @@ int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer);
 int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R);
 /* The roots of d, each of this multiplicity, are added to the answer. */
 int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer);
-/* The real and the imaginary part of the only number of 53 bits in each that is inside of the box of root i,
- * which is alone; 0: there is none, or one part is 2^1000 times the other. */
+/* The real and the imaginary part of the number of 53 bits in each that is inside of the box of root i, which
+ * is alone: 0, where that is inside, or the only one; 0: there is none, or one part is 2^1000 times the
+ * other. */
 int algsurf_i_double_inside(const algsurf_i_discs *d, int i, algsurf_scaled z[2]);
 /* Joins boxes that meet; `real`: also those that meet one box's mirror image.  Returns the number left, in
  * order. */
