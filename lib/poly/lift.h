@@ -26,7 +26,7 @@ algsurf_limb algsurf_lift_modulus(const algsurf_lift *lift, const algsurf_prime 
 int algsurf_lift_add(algsurf_lift *lift, const algsurf_limb *x, algsurf_limb inverse, const algsurf_prime *m);
 
 /* A guess, if the images suffice for one: integers c_k = D x_k with D > 0, which have no factor in common
- * with D, in `c` with count - 1 as degree.  It is right once the numbers are small enough for the images, and
- * proves nothing. */
+ * with D, in `c` with count - 1 as degree.  It proves nothing.  Once the numbers are small enough for the
+ * images it is right, but in one of 2^12 cases or so, where a residue is small by chance. */
 int algsurf_lift_guess(algsurf_lift *lift, int *found, algsurf_zpoly *c);
 #endif
