@@ -1,7 +1,7 @@
 /* test_complex_families.c - complex roots of integer polynomials of named families, each answer judged by
  * Newton's method in numbers of some thousand bits.
  *
- * From the middle of a box z is brought to |p/p'|: a root is within n |p/p'| of z (Laguerre), and has to be
+ * From a place in a box z is brought to |p/p'|: a root is within n |p/p'| of z (Laguerre), and has to be
  * in the box.  So every box has a root of the factor that it is said to belong to; boxes are disjoint, and
  * there are as many as there are different roots: each has exactly one.  A box is at most two units in the
  * last place wide, in units of its larger part; real roots are said to be real, and others are not.
@@ -30,11 +30,9 @@ static int is_in(const mpf_t a, double log, algsurf_interval box) {
     return in;
 }
 
-/* Does the box have a root of p? */
-static int has_root(const poly *p, const algsurf_complex_root *e) {
+/* From x on: does the box have a root of p? */
+static int leads_to_root(const poly *p, const algsurf_complex_root *e) {
     double before = 1e6, log = 0, size = fmax(fabs(e->root.re), fabs(e->root.im)), enough = log2(size) - 120;
-    if (size == 0) return mpz_sgn(p->re[0]) == 0 && mpz_sgn(p->im[0]) == 0;
-    mpf_set_d(x.re, e->root.re), mpf_set_d(x.im, e->root.im);
     for (int k = 0; k < 60; k++) {
         log = step(p) + log2(p->degree) + 1;
         if (k > 8 && log > before) break;
@@ -42,6 +40,22 @@ static int has_root(const poly *p, const algsurf_complex_root *e) {
         if (log < enough) break;
     }
     return log < enough && is_in(x.re, log + 1, e->box.re) && is_in(x.im, log + 1, e->box.im);
+}
+
+/* A place in the interval, its lower end, its upper end. */
+static void set_start(mpf_t a, algsurf_interval part, double root, int which) {
+    const double end = which > 1 ? part.hi : part.lo;
+    mpf_set_d(a, which == 0 || isinf(end) ? root : end);
+}
+
+/* Does the box have a root of p? */
+static int has_root(const poly *p, const algsurf_complex_root *e) {
+    if (e->root.re == 0 && e->root.im == 0) return mpz_sgn(p->re[0]) == 0 && mpz_sgn(p->im[0]) == 0;
+    for (int start = 0; start < 9; start++) { /* the first one does, as a rule */
+        set_start(x.re, e->box.re, e->root.re, start % 3), set_start(x.im, e->box.im, e->root.im, start / 3);
+        if (leads_to_root(p, e)) return 1;
+    }
+    return 0;
 }
 
 static int meet(const algsurf_cinterval *a, const algsurf_cinterval *b) {
@@ -480,6 +494,22 @@ TEST(imaginary_ones) {
                          box.im.lo, box.im.hi);
         }
         drop(p);
+    }
+}
+
+/* (z - a/2)^3 = i (1 + 2^-e i) 2^-m: two of the roots are on either side of a double in the real part, less
+ * than a unit from it, and differ in the imaginary part by 2^-e of it. */
+TEST(apart_in_the_smaller_part) {
+    set_precision(4096);
+    for (int round = 0; round < 60; round++) {
+        const int e = 20 + random_below(28), m = 150 + random_below(9), turned = round & 1;
+        poly *p = make(0);
+        mpz_set_ui(p->re[0], 1);
+        for (int k = 0; k < 3; k++) p = times_root(p, 9 + 2 * (round % 3), 0, 2);
+        for (int k = 0; k <= 3; k++) mpz_mul_2exp(p->re[k], p->re[k], (mp_bitcnt_t)(m - 3 + e));
+        mpz_set_si(p->im[0], turned ? 1 : -1), mpz_mul_2exp(p->im[0], p->im[0], (mp_bitcnt_t)e);
+        mpz_add_ui(p->re[0], p->re[0], 1);
+        judge_one("apart in the smaller part", p, 0);
     }
 }
 

@@ -55,6 +55,7 @@ typedef struct algsurf_i_disc {
     unsigned char placed;   /* where its disc is about as small as radii allow */
     unsigned char done;     /* needs no step */
     unsigned char snapped;  /* has been at the double it is next to */
+    unsigned char pressed;  /* its box meets another one: both are to be narrow in each part */
     int mate;               /* the root at the conjugate point, of a real polynomial; -1: none */
     unsigned char left_out; /* no root of the polynomial that is asked for */
 } algsurf_i_disc;
