@@ -65,7 +65,7 @@ static algsurf_status solve_group(algsurf_i_worker *worker, undecided_pixels *d)
                                      .position = {position[0], position[1], position[2]},
                                      .normal = {normal[0], normal[1], normal[2]}};
     algsurf_status status = algsurf_i_intersect_packet(scene->given, &scene->extent, &rays, &scene->intersect,
-                                                       &hits, &worker->tally->stats.exact_rays);
+                                                       0, &hits, &worker->tally->stats.exact_rays);
     if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
     worker->tally->without_memory += status < 0;
     for (size_t i = 0; i < d->count; i++) {

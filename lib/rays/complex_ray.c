@@ -184,15 +184,6 @@ static void give_roots(const complex_query *q, const algsurf_complex_root *s, in
                              : (algsurf_complex){NAN, NAN};
 }
 
-/* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
-static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
-    hit->state = ALGSURF_STATE_UNDECIDED;
-    hit->reason = reason;
-    hit->t = hit->t_lo = q->ray.t_min;
-    hit->t_hi = q->ray.t_max;
-    for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(&q->ray, i, hit->t);
-}
-
 /* How many roots P has at t in a range, in a region; -1 without memory. */
 static int count_inside(complex_query *q, const algsurf_i_region *region, algsurf_interval t) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
@@ -278,20 +269,25 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
     algsurf_status status = roots_of(q, start, local, &count, iterations);
     if (status != ALGSURF_OK) {
         q->without_memory = status == ALGSURF_E_NO_MEMORY;
-        set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
         give_roots(q, NULL, 0, roots);
+        hit->state = ALGSURF_STATE_UNDECIDED; /* overflow, or a polynomial that may vanish */
+        hit->reason = status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE;
+        hit->t = hit->t_lo = q->ray.t_min;
+        hit->t_hi = q->ray.t_max;
+        for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(&q->ray, i, hit->t);
         return;
     }
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
     give_roots(q, s, count, roots);
-    int selected = choose(q, s, local, count, &index);
+    const int selected = choose(q, s, local, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
-    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_STATE_HIT : ALGSURF_STATE_UNDECIDED;
-    hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;
-    hit->side = 0;
-    hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;
-    if (hit->state == ALGSURF_STATE_UNDECIDED && local[index].multiplicity > 1)
-        hit->reason = ALGSURF_UNDECIDED_MULTIPLE;
+    if (selected == ALGSURF_SELECTED_ONE) {
+        hit->state = ALGSURF_STATE_HIT;
+        hit->multiplicity = local[index].multiplicity;
+    } else {
+        hit->state = ALGSURF_STATE_UNDECIDED;
+        hit->reason = local[index].multiplicity > 1 ? ALGSURF_UNDECIDED_MULTIPLE : ALGSURF_UNDECIDED_END;
+    }
     set_hit(q, local + index, s + index, hit, root);
 }
 

@@ -329,10 +329,6 @@ static outcome find_box(search *s, double precision, cell *box) {
     return FOUND;
 }
 
-static int has_good_part(algsurf_part part) {
-    return part == ALGSURF_PART_ALL || part == ALGSURF_PART_SINGULAR;
-}
-
 /* The extent's box in natural units. */
 static void set_extent(search *s, const algsurf_extent *extent, cell *box) {
     int unit = s->surface->unit;
@@ -364,7 +360,8 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
     if (surface->root) s.part = ALGSURF_PART_ALL; /* all points of c Q^k are singular */
     algsurf_status status = algsurf_i_extent_check(extent);
     if (status != ALGSURF_OK) return status;
-    if (extent->kind == ALGSURF_EXTENT_ALL || !has_good_part(part)) return ALGSURF_E_ARGUMENT;
+    if (extent->kind == ALGSURF_EXTENT_ALL) return ALGSURF_E_ARGUMENT;
+    if (part != ALGSURF_PART_ALL && part != ALGSURF_PART_SINGULAR) return ALGSURF_E_ARGUMENT;
     status = algsurf_i_check_number(precision, precision > 0 && precision <= 1);
     if (status != ALGSURF_OK) return status;
     size_t places = place(s.degree, s.degree + 1, 0);

@@ -59,33 +59,25 @@ static int make_faces(query *q, algsurf_zpoly face[ALGSURF_MOST_FACES], int *cou
     return algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, count);
 }
 
-/* A walk over the chord; watch may be null. */
-static int begin_walk(query *q, algsurf_exact_walk *walk, const algsurf_zpoly *p, int refined,
-                      const algsurf_i_watch *watch) {
-    return algsurf_exact_begin(walk, &q->memory, p, q->unit, q->chord.lo, q->chord.hi, refined, watch);
-}
-
 /* A root, unless it is of the wrong side. */
-static void add_root(query *q, const algsurf_i_ray_root *root) {
-    int counts = !q->wanted->side || root->reason != ALGSURF_OK || root->side == q->wanted->side;
-    if (counts)
-        q->roots[q->count++] = *root;
+static void add_root(query *q, algsurf_i_ray_root root) {
+    if (!q->wanted->side || root.reason != ALGSURF_OK || root.side == q->wanted->side)
+        q->roots[q->count++] = root;
     else
-        q->miss_side = root->multiplicity % 2 ? -root->side : root->side;
+        q->miss_side = root.multiplicity % 2 ? -root.side : root.side;
 }
 
-static void add_exact(query *q, const algsurf_exact_root *root) {
-    const algsurf_i_ray_root plain = {root->multiplicity, root->sign_before, root->t,
-                                      root->lo,           root->hi,          ALGSURF_OK};
-    add_root(q, &plain);
+static void add_exact(query *q, const algsurf_exact_root *r) {
+    add_root(q, (algsurf_i_ray_root){r->multiplicity, r->sign_before, r->t, r->lo, r->hi, ALGSURF_OK});
 }
 
 /* If no root has been passed by: the sign of p at the last place of the ray that is surely in the region. */
-static int set_miss_side(query *q, const algsurf_zpoly *p) {
+static algsurf_status set_miss_side(query *q, const algsurf_zpoly *p) {
     const algsurf_i_chord *c = &q->chord;
     double at = fmin(c->hi, c->inner_hi);
-    if (q->count > 0 || q->miss_side || at < fmax(c->lo, c->inner_lo)) return 1;
-    return algsurf_exact_at_double(&q->memory, p, q->unit, at, &q->miss_side, NULL, NULL);
+    if (q->count > 0 || q->miss_side || at < fmax(c->lo, c->inner_lo)) return ALGSURF_OK;
+    int done = algsurf_exact_at_double(&q->memory, p, q->unit, at, &q->miss_side, NULL, NULL);
+    return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 /* Is no face but number `except` negative at the walk's last root?  Returns 0 when there is no memory. */
@@ -115,7 +107,8 @@ static algsurf_status walk_chord(query *q, const algsurf_zpoly *p) {
     algsurf_exact_root root;
     const algsurf_i_watch watch = {.observer = q->wanted->observer, .exponent = -q->scale};
     int found, inside;
-    if (!begin_walk(q, &walk, p, q->wanted->want != ALGSURF_WANT_ANY, q->wanted->observer ? &watch : NULL))
+    if (!algsurf_exact_begin(&walk, &q->memory, p, q->unit, q->chord.lo, q->chord.hi,
+                             q->wanted->want != ALGSURF_WANT_ANY, q->wanted->observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     while ((found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT) {
         inside = 1;
@@ -124,15 +117,10 @@ static algsurf_status walk_chord(query *q, const algsurf_zpoly *p) {
         if (inside) add_exact(q, &root);
         if (q->count > 0 && q->wanted->want != ALGSURF_WANT_ALL) break;
     }
-    return found == ALGSURF_EXACT_NO_MEMORY || !set_miss_side(q, p) ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
+    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : set_miss_side(q, p);
 }
 
 /* ---- a ray in the surface: its first t that counts ---- */
-
-static algsurf_exact_root point_root(double t) {
-    double drawn_in = fmax(t, -DBL_MAX);
-    return (algsurf_exact_root){.lo = t, .hi = drawn_in, .t = drawn_in};
-}
 
 /* Is t itself, not infinity, inside all faces? */
 static int begin_is_inside(query *q, const algsurf_zpoly *face, int faces, double t, int *inside) {
@@ -151,7 +139,8 @@ static int first_entry(query *q, const algsurf_zpoly *face, int which, algsurf_e
     algsurf_exact_root root;
     int found, inside = 0;
     if (face[which].degree < 1) return 1;
-    if (!begin_walk(q, &walk, face + which, 1, NULL)) return 0;
+    if (!algsurf_exact_begin(&walk, &q->memory, face + which, q->unit, q->chord.lo, q->chord.hi, 1, NULL))
+        return 0;
     while (!inside && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
         if (!is_inside(q, &walk, &root, which, &inside)) return 0;
     algsurf_exact_end(&walk);
@@ -163,15 +152,13 @@ static int first_entry(query *q, const algsurf_zpoly *face, int which, algsurf_e
 
 static algsurf_status ray_in_surface(query *q) {
     algsurf_zpoly face[ALGSURF_MOST_FACES];
-    algsurf_exact_root best = point_root(q->ray->t_min);
-    int faces = 0, any = 1;
+    const double begin = q->ray->t_min, drawn_in = fmax(begin, -DBL_MAX);
+    algsurf_exact_root best = {.lo = begin, .hi = drawn_in, .t = drawn_in};
+    int faces = 0, any;
     if (!make_faces(q, face, &faces)) return ALGSURF_E_NO_MEMORY;
-    if (faces > 0) {
-        any = 0;
-        if (!begin_is_inside(q, face, faces, q->ray->t_min, &any)) return ALGSURF_E_NO_MEMORY;
-        for (int i = 0, entered = any; !entered && i < faces; i++)
-            if (!first_entry(q, face, i, &best, &any)) return ALGSURF_E_NO_MEMORY;
-    }
+    if (!begin_is_inside(q, face, faces, begin, &any)) return ALGSURF_E_NO_MEMORY;
+    for (int i = 0, entered = any; !entered && i < faces; i++)
+        if (!first_entry(q, face, i, &best, &any)) return ALGSURF_E_NO_MEMORY;
     best.multiplicity = best.sign_before = 0;
     if (any) add_exact(q, &best);
     return ALGSURF_OK;
@@ -311,29 +298,20 @@ static int look_closer(query *q, algsurf_term *spread, algsurf_exact_range *rang
     return 1;
 }
 
-static algsurf_status isolate(query *q, algsurf_term *spread) {
+static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
     const algsurf_i_watch watch = {.observer = q->wanted->observer};
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
-    int found;
-    if (!make_forms(q, spread, 0, 0, &p, &radius) ||
-        !algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
-                                     ALGSURF_MAX_DEGREE, &found, q->wanted->observer ? &watch : NULL) ||
-        !look_closer(q, spread, range, &found))
-        return ALGSURF_E_NO_MEMORY;
-    for (int i = 0; i < found; i++) {
-        const algsurf_i_ray_root place = place_of(q, range + i);
-        add_root(q, &place);
-    }
-    return set_miss_side(q, &p) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
-}
-
-static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
     algsurf_term *spread = magnitudes(q->surface);
-    if (!spread) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = isolate(q, spread);
+    int found,
+        done = spread && make_forms(q, spread, 0, 0, &p, &radius) &&
+               algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
+                                           ALGSURF_MAX_DEGREE, &found, watch.observer ? &watch : NULL) &&
+               look_closer(q, spread, range, &found);
     free(spread);
-    return status;
+    if (!done) return ALGSURF_E_NO_MEMORY;
+    for (int i = 0; i < found; i++) add_root(q, place_of(q, range + i));
+    return set_miss_side(q, &p);
 }
 
 /* ---- both ---- */
@@ -347,8 +325,7 @@ static algsurf_status decide(query *q) {
     if (!algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale))
         return ALGSURF_E_NO_MEMORY;
     if (p.degree < 0) return ray_in_surface(q);
-    if (p.degree > 0) return walk_chord(q, &p);
-    return set_miss_side(q, &p) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
+    return p.degree > 0 ? walk_chord(q, &p) : set_miss_side(q, &p);
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,

@@ -17,6 +17,7 @@
 #include "../base/vec.h"
 #include "algsurf/poly.h"
 #include "expand_impl.h"
+#include "region.h"
 
 /* The least power of two that is not below x > 0; 1 for 0. */
 static double power_above(double x) {
@@ -75,98 +76,78 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
 
 typedef struct line_poly {
     int degree; /* -1: zero */
-    double v[ALGSURF_MAX_DEGREE + 1];
-    double m[ALGSURF_MAX_DEGREE + 1]; /* magnitudes */
+    double c[ALGSURF_MAX_DEGREE + 1];
 } line_poly;
 
-/* A coordinate along the line: x + v d. */
-typedef struct line_coordinate {
-    double x;
-    double d, x_size, d_size;
-} line_coordinate;
-
-static void times_coordinate(line_poly *p, const line_coordinate *c) {
-    int n = p->degree;
-    if (n < 0) return;
-    p->v[n + 1] = c->d * p->v[n];
-    p->m[n + 1] = c->d_size * p->m[n];
-    for (int i = n; i > 0; i--) p->v[i] = c->x * p->v[i] + c->d * p->v[i - 1];
-    for (int i = n; i > 0; i--) p->m[i] = c->x_size * p->m[i] + c->d_size * p->m[i - 1];
-    p->v[0] = c->x * p->v[0];
-    p->m[0] *= c->x_size;
-    p->degree = n + 1;
+/* By the coordinate x + v d. */
+static void times_coordinate(line_poly *p, double x, double d) {
+    double *c = p->c;
+    if (p->degree < 0) return;
+    int n = p->degree++;
+    c[n + 1] = d * c[n];
+    for (int i = n; i > 0; i--) c[i] = x * c[i] + d * c[i - 1];
+    c[0] *= x;
 }
 
-static void add_constant(line_poly *p, double a) {
-    if (p->degree < 0) p->degree = 0, p->v[0] = p->m[0] = 0;
-    p->v[0] += a;
-    p->m[0] += fabs(a);
+static void add(line_poly *p, const double *c, int degree) {
+    while (p->degree < degree) p->c[++p->degree] = 0;
+    for (int i = 0; i <= degree; i++) p->c[i] += c[i];
 }
 
-static void add_poly(line_poly *p, const line_poly *q) {
-    for (; p->degree < q->degree; p->degree++) p->v[p->degree + 1] = p->m[p->degree + 1] = 0;
-    for (int i = 0; i <= q->degree; i++) {
-        p->v[i] += q->v[i];
-        p->m[i] += q->m[i];
-    }
-}
-
-static void horner(const algsurf_surface *s, const line_coordinate c[3], line_poly *total) {
-    line_poly level, row;
-    total->degree = -1;
+/* P along X + v D, or the scheme on magnitudes. */
+static void horner(const algsurf_surface *s, const double X[3], const double D[3], int sizes, double *q) {
+    line_poly total, level, row;
+    total.degree = -1;
     for (int k = s->level_count - 1; k >= 0; k--) {
-        const algsurf_level *l = s->levels + k;
-        times_coordinate(total, c + 2);
+        times_coordinate(&total, X[2], D[2]);
         level.degree = -1;
-        for (int j = l->count - 1; j >= 0; j--) {
-            const algsurf_row *r = s->rows + l->first + j;
-            times_coordinate(&level, c + 1);
+        for (int j = s->levels[k].count - 1; j >= 0; j--) {
+            const algsurf_row *r = s->rows + s->levels[k].first + j;
+            times_coordinate(&level, X[1], D[1]);
             row.degree = -1;
             for (int i = r->length - 1; i >= 0; i--) {
-                times_coordinate(&row, c);
-                if (s->coef[r->first + (size_t)i] != 0) add_constant(&row, s->coef[r->first + (size_t)i]);
+                const double a = s->coef[r->first + (size_t)i], term = sizes ? fabs(a) : a;
+                times_coordinate(&row, X[0], D[0]);
+                if (a != 0) add(&row, &term, 0);
             }
-            add_poly(&level, &row);
+            add(&level, row.c, row.degree);
         }
-        add_poly(total, &level);
+        add(&total, level.c, level.degree);
     }
+    for (int i = 0; i <= s->degree; i++) q[i] = i <= total.degree ? total.c[i] : 0;
 }
 
 /* What underflow can add to a coefficient.  If even the product of the smallest factors stays above
  * 2^-900, an underflow (at most 2^-1074 each) is far below the relative bound.  Otherwise fewer than
  * 2^20 of them, each multiplied by at most max(1,|X|+|D|)^n, add less than the pad. */
-static double underflow_pad(const algsurf_surface *s, const line_coordinate c[3]) {
-    double low = 1, high = 1;
+static double underflow_pad(const algsurf_surface *s, const double x[3], const double d[3]) {
+    double low = 1, high = 1, pad = 0x1p-1000;
     for (int i = 0; i < 3; i++) {
-        if (c[i].x_size > 0 && c[i].x_size < low) low = c[i].x_size;
-        if (c[i].d_size > 0 && c[i].d_size < low) low = c[i].d_size;
-        high = fmax(high, c[i].x_size + c[i].d_size);
+        if (x[i] > 0) low = fmin(low, x[i]);
+        if (d[i] > 0) low = fmin(low, d[i]);
+        high = fmax(high, x[i] + d[i]);
     }
     if (!s->inexact && ilogb(s->smallest) + s->degree * ilogb(low) > -900) return 0;
-    double pad = 0x1p-1000;
     for (int i = 0; i < s->degree; i++) pad *= high;
     return pad;
 }
 
 void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q,
                         double *r) {
-    line_coordinate c[3];
-    line_poly p;
-    int n = s->degree;
-    for (int i = 0; i < 3; i++) c[i] = (line_coordinate){X[i], D[i], fabs(X[i]), fabs(D[i])};
-    horner(s, c, &p);
-    for (int i = p.degree + 1; i <= n; i++) p.v[i] = p.m[i] = 0;
-    for (int i = 0; i <= n; i++) q[i] = p.v[i];
-    double gamma = (4 * n + 8) * ALGSURF_U + s->error, pad = underflow_pad(s, c);
-    for (int i = 0; i <= n; i++) r[i] = gamma * p.m[i] + pad;
+    const double x[3] = {fabs(X[0]), fabs(X[1]), fabs(X[2])}, d[3] = {fabs(D[0]), fabs(D[1]), fabs(D[2])};
+    const double gamma = (4 * s->degree + 8) * ALGSURF_U + s->error, pad = underflow_pad(s, x, d);
+    horner(s, X, D, 0, q);
+    horner(s, x, d, 1, r);
+    for (int i = 0; i <= s->degree; i++) r[i] = gamma * r[i] + pad;
 }
 
 /* ---- the public forms ---- */
 
 static algsurf_status check_line(const algsurf_surface *surface, const algsurf_ray *ray, const double *c) {
     if (!surface || !ray || !c) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(ray->origin) || !algsurf_is_finite3(ray->direction)) return ALGSURF_E_NOT_FINITE;
-    return algsurf_max_abs(ray->direction) > 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+    algsurf_ray line = *ray;
+    line.t_min = line.t_max = 0;
+    return algsurf_i_ray_check(&line);
 }
 
 static int all_finite(const double *c, const double *r, int n) {

@@ -37,7 +37,6 @@ static void add_square(algsurf_zpoly *face, const algsurf_limb *a, const algsurf
 static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[3], const double direction[3],
                 int e, algsurf_zpoly *face) {
     range all = {0, 0, 1};
-    algsurf_memory_mark before = algsurf_memory_here(m);
     for (int i = 0; i < 3; i++)
         include(&all, origin[i], 0), include(&all, x->centre[i], 0), include(&all, direction[i], e);
     include(&all, x->size[0], 0);
@@ -46,10 +45,7 @@ static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[
     if (!algsurf_zpoly_new(m, 2, algsurf_z_width(2 * bits + 3), face)) return 0;
     algsurf_memory_mark work = algsurf_memory_here(m);
     algsurf_limb *a = algsurf_memory_take(m, 4 * (size_t)w);
-    if (!a) {
-        algsurf_memory_release(m, before);
-        return 0;
-    }
+    if (!a) return 0;
     algsurf_limb *b = a + w;
     for (int i = 0; i <= 3; i++) { /* the last: R */
         algsurf_z_zero(a, 2 * w);
@@ -91,20 +87,15 @@ static int box(algsurf_memory *m, const algsurf_extent *x, const double origin[3
     return 1;
 }
 
-static int faces_of_extent(algsurf_memory *m, const algsurf_extent *extent, const double origin[3],
-                           const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES],
-                           int *count) {
-    *count = 0;
-    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
-    *count = extent->kind == ALGSURF_EXTENT_SPHERE ? 1 : 6;
-    return extent->kind == ALGSURF_EXTENT_SPHERE ? ball(m, extent, origin, direction, e, face)
-                                                 : box(m, extent, origin, direction, e, face);
-}
-
 int algsurf_i_faces(algsurf_memory *m, const algsurf_i_region *region, const double origin[3],
                     const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES], int *count) {
-    algsurf_memory_mark before = algsurf_memory_here(m);
-    int done = faces_of_extent(m, region->extent, origin, direction, e, face, count);
+    const algsurf_memory_mark before = algsurf_memory_here(m);
+    const algsurf_extent *extent = region->extent;
+    const int kind = extent ? extent->kind : ALGSURF_EXTENT_ALL;
+    int done = 1;
+    *count = kind == ALGSURF_EXTENT_SPHERE ? 1 : kind == ALGSURF_EXTENT_BOX ? 6 : 0;
+    if (kind == ALGSURF_EXTENT_SPHERE) done = ball(m, extent, origin, direction, e, face);
+    if (kind == ALGSURF_EXTENT_BOX) done = box(m, extent, origin, direction, e, face);
     for (size_t i = 0; done && i < region->plane_count; i++)
         done = flat(m, region->planes[i].normal, region->planes[i].offset, 0, origin, direction, e,
                     &face[(*count)++]);

@@ -21,18 +21,11 @@ void algsurf_i_set_miss(algsurf_hit *hit, int side) {
         .state = ALGSURF_STATE_MISS, .side = side, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
-/* The point of a hit. */
-typedef struct hit_point {
-    const algsurf_surface *surface;
-    const algsurf_ray *ray;
-    algsurf_i_frame frame; /* about it */
-} hit_point;
-
 /* A step of Newton's method on P at the root's point, where the root is simple: it takes out the rounding of
  * t, which is more than that of coordinates when the origin is far.  Only within the interval of the root. */
-static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[3]) {
-    const algsurf_i_frame *f = &p->frame;
-    double gradient[3], value = algsurf_i_surface_value(p->surface, x, gradient);
+static void polish(const algsurf_surface *surface, const algsurf_i_frame *f, const algsurf_i_ray_root *root,
+                   double x[3]) {
+    double gradient[3], value = algsurf_i_surface_value(surface, x, gradient);
     double step = -value / algsurf_dot(gradient, f->V);
     double width = ldexp(root->t_hi - root->t_lo, f->exponent);
     if (!(fabs(step) <= width)) return;
@@ -41,40 +34,39 @@ static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[
 
 /* A point in natural units as the caller's; from t where t overflows in natural units (`beyond`), and a
  * coordinate of which underflow took digits. */
-static void set_position(const hit_point *p, const double x[3], double t, int beyond, double position[3]) {
+static void set_position(const algsurf_ray *ray, const algsurf_i_frame *f, int unit, const double x[3],
+                         double t, int beyond, double position[3]) {
     for (int i = 0; i < 3; i++) {
-        double unpolished = algsurf_i_coordinate_at(p->ray, i, t);
-        int lost = beyond || (p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900);
-        lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
-        position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
+        double unpolished = algsurf_i_coordinate_at(ray, i, t);
+        int lost = beyond || (ray->direction[i] != 0 && fabs(f->V[i]) < 0x1p-900);
+        lost |= unpolished != 0 && fabs(ldexp(unpolished, -unit)) < 0x1p-900;
+        position[i] = lost ? unpolished : ldexp(x[i], unit);
     }
-}
-
-/* In the caller's units, how far rounding of t puts a point from a root on which no step was taken. */
-static double distance_of_t(const algsurf_ray *ray, const algsurf_i_ray_root *root) {
-    return root->multiplicity == 1 ? 0 : 0x1p-52 * fabs(root->t) * algsurf_max_abs(ray->direction);
 }
 
 static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_ray_root *root,
                      algsurf_hit *hit) {
     const algsurf_surface *surface = q->surface;
+    const int simple = root->multiplicity == 1;
     algsurf_ray point = *ray;
+    algsurf_i_frame f;
     double x[3];
-    hit_point p = {surface, ray, {0}};
+    /* in the caller's units: how far rounding of t puts the point from a root on which no step is taken */
+    const double off = simple ? 0 : 0x1p-52 * fabs(root->t) * algsurf_max_abs(ray->direction);
     point.t_min = point.t_max = root->t;
-    algsurf_i_frame_of(surface, &point, 0, &p.frame);
-    for (int i = 0; i < 3; i++) x[i] = p.frame.X[i].hi;
-    if (root->multiplicity == 1) polish(&p, root, x);
+    algsurf_i_frame_of(surface, &point, 0, &f);
+    for (int i = 0; i < 3; i++) x[i] = f.X[i].hi;
+    if (simple) polish(surface, &f, root, x);
     *hit = (algsurf_hit){.state = ALGSURF_STATE_HIT,
-                         .reason = ALGSURF_OK,
                          .multiplicity = root->multiplicity,
                          .side = root->side,
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(&p, x, root->t, p.frame.lost || !p.frame.one_piece, hit->position);
-    if (!algsurf_is_finite3(hit->position)) set_position(&p, x, root->t, 1, hit->position);
-    algsurf_i_set_normal(surface, ray, hit->position, distance_of_t(ray, root), q->memory_limit, hit->normal);
+    set_position(ray, &f, surface->unit, x, root->t, f.lost || !f.one_piece, hit->position);
+    if (!algsurf_is_finite3(hit->position))
+        set_position(ray, &f, surface->unit, x, root->t, 1, hit->position);
+    algsurf_i_set_normal(surface, ray, hit->position, off, q->memory_limit, hit->normal);
 }
 
 /* A place where a hit may be. */
@@ -129,15 +121,6 @@ static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, cons
     return status;
 }
 
-/* The bounded tier goes no further: one entry, if the ray meets the region. */
-static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_hit *hit,
-                          int *count) {
-    algsurf_i_chord chord;
-    *count = algsurf_i_region_chord(region, ray, &chord);
-    hit->side = 0;
-    if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hit);
-}
-
 /* What becomes of undecided places is the caller's choice. */
 static void settle_undecided(int as, algsurf_hit *hits, int *count) {
     int kept = 0, side = *count ? 0 : hits->side;
@@ -154,15 +137,19 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
 
 /* The hits of a ray that lanes left undecided. */
 static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want,
-                             algsurf_hit *hits, int *count) {
+                             algsurf_hit *hits, int *count, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
-    if (q->options.tier == ALGSURF_TIER_BOUNDED)
-        hit_undecided(&q->region, ray, hits, count);
-    else
+    algsurf_i_chord chord;
+    if (q->options.tier == ALGSURF_TIER_BOUNDED) { /* one entry, if the ray meets the region */
+        *count = algsurf_i_region_chord(&q->region, ray, &chord);
+        hits->side = 0;
+        if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hits);
+    } else {
+        if (exact) ++*exact;
         status = hits_exact(q, ray, want, hits, count);
-    if (status != ALGSURF_OK) return status;
-    settle_undecided(q->options.undecided_as, hits, count);
-    return ALGSURF_OK;
+    }
+    if (status == ALGSURF_OK) settle_undecided(q->options.undecided_as, hits, count);
+    return status;
 }
 
 /* The hits of a checked ray, at most ALGSURF_MAX_DEGREE; tried: lanes have left it undecided.  If there are
@@ -171,10 +158,7 @@ static algsurf_status find(const algsurf_i_query *q, const algsurf_ray *ray, alg
                            algsurf_hit *hits, int *count, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     *count = tried ? -1 : hits_in_lane(q, ray, want, hits);
-    if (*count < 0) {
-        *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
-        status = decide(q, ray, want, hits, count);
-    }
+    if (*count < 0) status = decide(q, ray, want, hits, count, exact);
     for (int i = 0; i < *count && want != ALGSURF_WANT_ANY && status == ALGSURF_OK; i++)
         algsurf_i_hit_of_power(q, hits + i);
     return status;
@@ -196,9 +180,8 @@ algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *
 
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int tried, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
-    uint64_t exact = 0;
     int count;
-    algsurf_status status = find(q, ray, ALGSURF_WANT_ANY, tried, found, &count, &exact);
+    algsurf_status status = find(q, ray, ALGSURF_WANT_ANY, tried, found, &count, NULL);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS;
     for (int i = 0; i < count; i++)
@@ -220,10 +203,9 @@ static algsurf_status first(const algsurf_surface *surface, const algsurf_extent
                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                             algsurf_hit *hit) {
     algsurf_i_query q;
-    uint64_t exact = 0;
     if (!hit) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
-    return status == ALGSURF_OK ? algsurf_i_first_hit(&q, ray, 0, hit, &exact) : status;
+    return status == ALGSURF_OK ? algsurf_i_first_hit(&q, ray, 0, hit, NULL) : status;
 }
 
 static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -231,11 +213,10 @@ static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *
                           int capacity, int *count) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
-    uint64_t exact = 0;
     int n;
     if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
-    if (status == ALGSURF_OK) status = find(&q, ray, ALGSURF_WANT_ALL, 0, found, &n, &exact);
+    if (status == ALGSURF_OK) status = find(&q, ray, ALGSURF_WANT_ALL, 0, found, &n, NULL);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_CAPACITY;
     memcpy(hits, found, (size_t)n * sizeof *hits);

@@ -53,14 +53,15 @@ void algsurf_i_set_miss(algsurf_hit *hit, int side);
 void algsurf_i_set_normal(const algsurf_surface *surface, const algsurf_ray *ray, const double position[3],
                           double off, size_t limit, double normal[3]);
 
-/* algsurf_intersect_packet; exact: the rays that integers decided are added to it. */
+/* algsurf_intersect_packet, or for `any`, where only states are written, algsurf_occluded_packet.  exact:
+ * here and below, rays that integers decide are counted there; or null. */
 algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
                                           const algsurf_ray_packet *rays,
-                                          const algsurf_intersect_options *options,
+                                          const algsurf_intersect_options *options, int any,
                                           const algsurf_hit_packet *hits, uint64_t *exact);
 
 /* algsurf_intersect_first and algsurf_occluded for a checked ray: OK or E_NO_MEMORY.  tried: lanes have left
- * it undecided.  exact: 1 is added where integers decide. */
+ * it undecided. */
 algsurf_status algsurf_i_first_hit(const algsurf_i_query *q, const algsurf_ray *ray, int tried,
                                    algsurf_hit *hit, uint64_t *exact);
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int tried, int *state);

@@ -78,17 +78,6 @@ static int has_arrays(const algsurf_ray_packet *rays) {
     return rays->count == 0 || !(missing || (doubles && floats));
 }
 
-/* Reads and checks a caller's arguments. */
-static algsurf_status prepare(algsurf_i_query *q, algsurf_ray_packet *rays, const algsurf_surface *surface,
-                              const algsurf_extent *extent, const algsurf_ray_packet *given,
-                              const algsurf_intersect_options *options) {
-    if (!surface) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_options_read(rays, sizeof *rays, given);
-    if (status == ALGSURF_OK && !has_arrays(rays)) status = ALGSURF_E_ARGUMENT;
-    if (status == ALGSURF_OK) status = algsurf_i_query_read(q, surface, extent, options);
-    return status == ALGSURF_OK && q->options.observer ? ALGSURF_E_ARGUMENT : status;
-}
-
 static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {
     int narrow = q->kernel->index == ALGSURF_AVX512 && q->surface->degree > ALGSURF_MAX_WIDE_DEGREE;
     return algsurf_i_rays_kernel_for(narrow ? algsurf_i_kernel_at(1) : q->kernel);
@@ -157,8 +146,7 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
     if (!open || hits->state[i] != ALGSURF_STATE_HIT || !is_active(rays, i)) return;
     algsurf_ray ray = ray_of(rays, i);
     algsurf_hit hit;
-    uint64_t exact = 0;
-    (void)algsurf_i_first_hit(q, &ray, 0, &hit, &exact);
+    (void)algsurf_i_first_hit(q, &ray, 0, &hit, NULL);
     for (int k = 0; k < 3; k++)
         if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
@@ -267,44 +255,37 @@ static ALGSURF_NOINLINE algsurf_status answer_in_pieces(const algsurf_i_query *q
     return status;
 }
 
-static algsurf_status answer_all(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any,
-                                 const algsurf_hit_packet *hits, uint64_t *exact) {
-    if (!hits->state) return rays->count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    return all_good(rays) && !needs_sides(q, hits) ? answer(q, rays, any, hits, exact)
-                                                   : answer_in_pieces(q, rays, any, hits, exact);
-}
-
 /* ---- the calls ---- */
 
-ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface,
-                                                           const algsurf_extent *extent,
-                                                           const algsurf_ray_packet *rays,
-                                                           const algsurf_intersect_options *options,
-                                                           const algsurf_hit_packet *to, uint64_t *exact) {
-    algsurf_i_query q;
-    algsurf_ray_packet read;
-    algsurf_hit_packet hits;
-    algsurf_status status = algsurf_options_read(&hits, sizeof hits, to);
-    if (status == ALGSURF_OK) status = prepare(&q, &read, surface, extent, rays, options);
-    return status == ALGSURF_OK ? answer_all(&q, &read, 0, &hits, exact) : status;
-}
-
-static algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
-                          const algsurf_ray_packet *given, const algsurf_intersect_options *options,
-                          unsigned char *state) {
+algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                                          const algsurf_ray_packet *given,
+                                          const algsurf_intersect_options *options, int any,
+                                          const algsurf_hit_packet *to, uint64_t *exact) {
     algsurf_i_query q;
     algsurf_ray_packet rays;
-    uint64_t exact = 0;
-    algsurf_status status = prepare(&q, &rays, surface, extent, given, options);
-    const algsurf_hit_packet hits = {.state = state};
-    return status == ALGSURF_OK ? answer_all(&q, &rays, 1, &hits, &exact) : status;
+    algsurf_hit_packet hits;
+    algsurf_status status = algsurf_options_read(&hits, sizeof hits, to);
+    if (status == ALGSURF_OK && !surface) status = ALGSURF_E_ARGUMENT;
+    if (status == ALGSURF_OK) status = algsurf_options_read(&rays, sizeof rays, given);
+    if (status == ALGSURF_OK && !has_arrays(&rays)) status = ALGSURF_E_ARGUMENT;
+    if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
+    if (status != ALGSURF_OK) return status;
+    if (q.options.observer || (rays.count && !hits.state)) return ALGSURF_E_ARGUMENT;
+    return all_good(&rays) && !needs_sides(&q, &hits) ? answer(&q, &rays, any, &hits, exact)
+                                                      : answer_in_pieces(&q, &rays, any, &hits, exact);
 }
 
 static algsurf_status packet(const algsurf_surface *surface, const algsurf_extent *extent,
                              const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
                              const algsurf_hit_packet *hits) {
-    uint64_t exact = 0;
-    return algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact);
+    return algsurf_i_intersect_packet(surface, extent, rays, options, 0, hits, NULL);
+}
+
+static algsurf_status occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                               const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
+                               unsigned char *state) {
+    const algsurf_hit_packet hits = {.size = sizeof hits, .state = state};
+    return algsurf_i_intersect_packet(surface, extent, rays, options, 1, &hits, NULL);
 }
 
 ALGSURF_I_PUBLIC(algsurf_status, intersect_packet, packet,
@@ -312,7 +293,7 @@ ALGSURF_I_PUBLIC(algsurf_status, intersect_packet, packet,
                   const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
                   const algsurf_hit_packet *hits),
                  (surface, extent, rays, options, hits))
-ALGSURF_I_PUBLIC(algsurf_status, occluded_packet, any,
+ALGSURF_I_PUBLIC(algsurf_status, occluded_packet, occluded,
                  (const algsurf_surface *surface, const algsurf_extent *extent,
                   const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
                   unsigned char *state),

@@ -71,10 +71,13 @@ void algsurf_i_hit_of_power(const algsurf_i_query *q, algsurf_hit *hit) {
     hit->side = hit->side ? q->power_sign : 0;
 }
 
-/* All of it but the options, which are there. */
-static void prepare(algsurf_i_query *q, const algsurf_surface *given, const algsurf_extent *extent) {
-    const algsurf_surface *surface = q->surface = choose_root(q, given);
+algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
+                                    const algsurf_extent *extent, const algsurf_intersect_options *given) {
     const algsurf_intersect_options *options = &q->options;
+    algsurf_status status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &q->options);
+    if (status != ALGSURF_OK) return status;
+    q->surface = surface = choose_root(q, surface);
     q->memory_limit = options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
     q->has_method = options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
     q->region = (algsurf_i_region){extent, options->planes, options->plane_count};
@@ -87,12 +90,5 @@ static void prepare(algsurf_i_query *q, const algsurf_surface *given, const algs
     q->fits_lanes = surface->tables && surface->unit >= -800 && surface->unit <= 800 &&
                     extent_fits(q->job.extent, surface->unit) && scale_planes(q);
     if (q->fits_lanes) q->kernel = algsurf_i_kernel_find(options->kernel);
-}
-
-algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
-                                    const algsurf_extent *extent, const algsurf_intersect_options *given) {
-    algsurf_status status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &q->options);
-    if (status == ALGSURF_OK) prepare(q, surface, extent);
-    return status;
+    return ALGSURF_OK;
 }
