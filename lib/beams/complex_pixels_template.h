@@ -13,8 +13,7 @@
  * view's noise, and as much again with the rounding of L; so for complex z it is at most 4 noise max(1,|z|):
  * in complex space the view's noise is four times as large.
  *
- * Undecided.  Lanes that the first discs leave undecided go on for as long as that helps.  What is undecided
- * then is left to the single ray.
+ * Lanes that the first discs leave undecided go on for as long as that helps.
  *
  * The point is found by one more step on P itself, at the complex point of the ray: as accurate as the step
  * from the root of a rounded polynomial can be.  The normal is that of rays/complex_ray.c. */
@@ -108,8 +107,9 @@ INLINE int solve_open(const algsurf_i_complex_job *job, const sight *s, const ch
     return corrections;
 }
 
-/* The pixels from x on; returns the number of corrections. */
-INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int count, int end, int n) {
+/* The pixels from x on, before `end`; returns the number of corrections. */
+INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int end, int n) {
+    const int count = end - x;
     sight s = sight_at(job->row, smaller(x + numbered(), all_lanes(end - 1)));
     mask open, given = less(numbered(), all_lanes(count));
     chord c = clip(job->row, &s, all_lanes(job->row->near), &open);
@@ -119,10 +119,7 @@ INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int cou
         corrections = solve_open(job, &s, &c, open & given, x, count, n, &d);
     else
         store_some(job->x + x, all_lanes(NAN), count);
-    unsigned hits = bits(d.hit), undecided = bits(d.undecided);
-    for (int l = 0; l < count; l++)
-        job->state[x + l] =
-            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
+    store_states(d.hit, d.undecided, count, job->state + x);
     store_some(job->re + x, d.re, count);
     store_some(job->im + x, d.im, count);
     return corrections;
@@ -131,8 +128,7 @@ INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int cou
 INLINE uint64_t solve_complex_n(const algsurf_i_complex_job *job, int begin, int end, int n) {
     uint64_t corrections = 0;
     if (n < 1 || n > MOST_ROOTS) __builtin_unreachable();
-    for (int x = begin; x < end; x += LANES)
-        corrections += (uint64_t)solve_complex_packet(job, x, end - x < LANES ? end - x : LANES, end, n);
+    for (int x = begin; x < end; x += LANES) corrections += (uint64_t)solve_complex_packet(job, x, end, n);
     return corrections;
 }
 
@@ -247,8 +243,7 @@ static int find_complex_points(const algsurf_i_complex_job *job, const algsurf_s
     const row_rays s = rays_of_row(&row);
     int all = 1;
     for (int first = 0; first < count; first += LANES)
-        all &= find_complex_packet(job, surface, &s, pixel, re, im, sure, points, first,
-                                   count - first < LANES ? count - first : LANES);
+        all &= find_complex_packet(job, surface, &s, pixel, re, im, sure, points, first, count - first);
     return all;
 }
 

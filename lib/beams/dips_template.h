@@ -32,7 +32,7 @@ INLINE lanes distance2_at(const sight *s, lanes z) {
 /* Above which |P| is large within a distance from the view's centre. */
 INLINE lanes large_within(const algsurf_i_row_job *job, lanes distance2, int n) {
     lanes r = root(distance2), sum = all_lanes(0);
-    for (int m = n; m >= 2; m--) sum = sum * r + all_lanes(job->thin_bends[m]);
+    for (int m = n; m >= 2; m--) sum = sum * r + job->thin_bends[m];
     return sum;
 }
 
@@ -63,7 +63,7 @@ INLINE falls falls_of(const lanes *w, mask fell, lanes large, int n) {
         fell |= down;
         rose |= up & fell;
     }
-    place = (place + before / (before - after)) * all_lanes(n > 1 ? 1.0 / (n - 1) : 1);
+    place = (place + before / (before - after)) * (n > 1 ? 1.0 / (n - 1) : 1);
     place = larger(smaller(place, all_lanes(1)), zero);
     return (falls){some & at_most(least, large), ~more, down, place, most};
 }

@@ -16,10 +16,9 @@ static void lift(const algsurf_i_points *points, int first, int count, double he
             normal[k] = load_some(points->normal[k] + first + i, count - i);
             direction[k] = load_some(points->direction[k] + first + i, count - i);
         }
-        lanes far = larger(larger(absolute(position[0]), absolute(position[1])), absolute(position[2]));
-        lanes up = height + 0x1p-48 * (absolute(load_some(points->t + first + i, count - i)) + far);
-        mask singular = ~(less(all_lanes(0), absolute(normal[0])) | less(all_lanes(0), absolute(normal[1])) |
-                          less(all_lanes(0), absolute(normal[2])));
+        lanes t = load_some(points->t + first + i, count - i);
+        lanes up = height + 0x1p-48 * (absolute(t) + largest_size(position));
+        mask singular = at_most(largest_size(normal), all_lanes(0));
         mask away = less(all_lanes(0), dot(normal, direction));
         for (int k = 0; k < 3; k++) {
             lanes facing = choose(singular, -direction[k], choose(away, -normal[k], normal[k]));

@@ -89,16 +89,6 @@ APART void look_outside(const algsurf_i_row_job *job, const lanes *u, const lane
     k->hit &= ~k->undecided;
 }
 
-/* What was found of so many lanes, at most. */
-INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
-    unsigned hits = bits(k->hit), undecided = bits(k->undecided);
-    for (int l = 0; l < LANES && l < count; l++) {
-        state[l] =
-            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-    }
-    for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
-}
-
 static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
                          uint8_t *state, algsurf_i_dips *dips) {
     int n = job->row->degree;
@@ -112,7 +102,8 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         const lanes low = load_some(p->low + i, count);
         mask searched = solve_packet(job, &s, low, &k, &r, &z, n);
         if (job->extent->kind == ALGSURF_EXTENT_ALL) look_outside(job, &s.u, &low, searched, &r, &k, n);
-        store_solved(&k, z, count, depth + i, state + i);
+        store_states(k.hit, k.undecided, count, state + i);
+        if (any(k.hit)) store_some(depth + i, z, count);
         searched &= less(numbered(), all_lanes(count));
         if (dips && any(searched)) add_dips(job, &s, &r, &k, &z, &searched, p->at + i, dips, n);
     }

@@ -74,12 +74,12 @@ typedef struct packet_rays {
 
 INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
     packet_rays r;
-    lanes u = all_lanes(s->u0) + all_lanes(s->du) * ((pixel + all_lanes(s->offset)) * all_lanes(s->pixel));
-    r.z = all_lanes(s->size) * depth;
-    lanes slope = all_lanes(s->alpha) * u + all_lanes(s->beta);
+    lanes u = s->u0 + s->du * ((pixel + s->offset) * s->pixel);
+    r.z = s->size * depth;
+    lanes slope = s->alpha * u + s->beta;
     for (int i = 0; i < 3; i++) {
-        r.foot[i] = all_lanes(s->foot[i]) + all_lanes(s->size) * u * all_lanes(s->across[i]);
-        r.along[i] = all_lanes(s->straight[i]) + slope * all_lanes(s->across[i]);
+        r.foot[i] = s->foot[i] + s->size * u * s->across[i];
+        r.along[i] = s->straight[i] + slope * s->across[i];
     }
     return r;
 }
@@ -102,7 +102,7 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
 /* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z? */
 INLINE mask on_sheets(const row_rays *s, const packet_rays *r, lanes value, const algsurf_i_sheets *sheets,
                       int first, int count) {
-    lanes z = r->z * all_lanes(1 / s->size);
+    lanes z = r->z * (1 / s->size);
     return at_most(absolute(value), load_some(sheets->enough + first, count)) &
            less(load_some(sheets->low + first, count), z) & less(z, load_some(sheets->high + first, count));
 }
@@ -117,7 +117,7 @@ INLINE int tell_sure(mask found, uint8_t *sure, int first, int count) {
 /* What colours of points depend on: position, normal, direction along an axis. */
 INLINE void store_looks(const algsurf_i_look_frame *frame, int axis, lanes position, lanes normal,
                         lanes direction, const algsurf_i_looks *looks, int first, int count) {
-    lanes place = (position - all_lanes(frame->centre[axis])) * all_lanes(frame->per_radius);
+    lanes place = (position - frame->centre[axis]) * frame->per_radius;
     store_some_floats(looks->place[axis] + first, place, count);
     store_some_floats(looks->normal[axis] + first, normal, count);
     store_some_floats(looks->direction[axis] + first, direction, count);
@@ -132,7 +132,7 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
     make_unit(normal);
     store_some(points->t + first, (z - s->near) * length * s->unit, count);
     for (int i = 0; i < 3; i++) {
-        lanes position = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
+        lanes position = (r->foot[i] + z * r->along[i]) * s->unit;
         lanes direction = r->along[i] * inverse;
         if (points->looks.place[i])
             store_looks(frame, i, position, normal[i], direction, &points->looks, first, count);

@@ -41,19 +41,12 @@ INLINE void cut_part(const lanes *whole, lanes *part, int n, lanes from, lanes t
     split_shares(w, part, n, to - from, 1 - to);
 }
 
-/* The part [from,to] of a beam's [0,1]. */
-INLINE void cut_beam(const beam *whole, beam *part, int n, lanes from, lanes to) {
-    for (int i = 0; i < LOW_TERMS; i++) cut_part(whole->t[i], part->t[i], n, from, to);
-    cut_part(whole->rest, part->rest, n, from, to);
-}
-
 /* As a cell: w[0] positive, a radius for each coefficient. */
 INLINE void cell_of(const beam *r, lanes rounding, cell *c, int n) {
     for (int k = 0; k <= n; k++) {
         lanes radius = r->rest[k] + rounding;
         c->w[k] = r->t[T00][k] + 0.5 * (r->t[T20][k] + r->t[T02][k]);
-        for (int i = 1; i < LOW_TERMS; i++)
-            radius += all_lanes(i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
+        for (int i = 1; i < LOW_TERMS; i++) radius += (i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
         c->e[k] = radius;
     }
     c->side = take_sign(c->w, n, ~no_lane());

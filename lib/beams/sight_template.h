@@ -63,12 +63,12 @@ INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, doubl
     double r = job->extent_size[0];
     lanes size = s->a * s->a + (1 + s->b * s->b), along = s->u * s->a + s->v * s->b;
     lanes across = s->u * s->b - s->v * s->a;
-    lanes inside = all_lanes(r * r) * size - (s->u * s->u + (s->v * s->v + across * across));
-    lanes edge = all_lanes(ON_EDGE + 4 * e) * size, half = root(larger(inside, edge));
+    lanes inside = r * r * size - (s->u * s->u + (s->v * s->v + across * across));
+    lanes edge = (ON_EDGE + 4 * e) * size, half = root(larger(inside, edge));
     lanes inverse = 1 / (size * half), over_size = inverse * half;
     c.near = (-along - half) * over_size;
     c.far = (half - along) * over_size;
-    c.blur = all_lanes(e) * (size * size) * inverse;
+    c.blur = e * (size * size) * inverse;
     c.undecided = at_most(absolute(inside), edge);
     c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: see Edge */
     return c;
@@ -79,9 +79,8 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
     const double(*axis)[3] = job->view->axis;
     chord c = {all_lanes(-1), all_lanes(1), all_lanes(e), less(s->u, s->u)};
     for (int k = 0; k < (job->extent->kind == ALGSURF_EXTENT_ALL ? 0 : 3); k++) {
-        lanes at = s->u * all_lanes(axis[0][k]) + s->v * all_lanes(axis[1][k]),
-              h = all_lanes(job->extent_size[k]);
-        lanes d = s->a * all_lanes(axis[0][k]) + (s->b * all_lanes(axis[1][k]) + all_lanes(axis[2][k]));
+        lanes at = s->u * axis[0][k] + s->v * axis[1][k], h = all_lanes(job->extent_size[k]);
+        lanes d = s->a * axis[0][k] + (s->b * axis[1][k] + axis[2][k]);
         mask along = at_most(absolute(d), all_lanes(PARALLEL));
         lanes safe = choose(along, all_lanes(1), d), one = (-h - at) / safe, two = (h - at) / safe;
         lanes room = h - absolute(at); /* the line's coordinate moves by less than 3 PARALLEL */
@@ -89,7 +88,7 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
         c.far = choose(along, c.far, smaller(c.far, larger(one, two)));
         c.far = choose(along & less(room, all_lanes(-4 * PARALLEL)), c.near - 1, c.far);
         c.undecided |= along & at_most(absolute(room), all_lanes(4 * PARALLEL));
-        c.blur = choose(along, c.blur, larger(c.blur, all_lanes(e) / absolute(safe)));
+        c.blur = choose(along, c.blur, larger(c.blur, e / absolute(safe)));
     }
     c.undecided |= at_most(absolute(c.far - c.near), all_lanes(ON_EDGE));
     return c;
@@ -100,10 +99,10 @@ INLINE void clip_to_plane(const algsurf_i_row_job *job, const algsurf_i_cut_plan
                           double e, chord *c) {
     const lanes n[3] = {all_lanes(plane->normal[0]), all_lanes(plane->normal[1]),
                         all_lanes(plane->normal[2])};
-    lanes above = n[0] * s->u + (n[1] * s->v - all_lanes(plane->offset + job->plane_room));
+    lanes above = n[0] * s->u + (n[1] * s->v - (plane->offset + job->plane_room));
     lanes rise = n[0] * s->a + (n[1] * s->b + n[2]), room = all_lanes(4 * (PARALLEL + e));
     mask along = at_most(absolute(rise), all_lanes(PARALLEL)), up = less(all_lanes(0), rise);
-    lanes safe = choose(along, all_lanes(1), rise), z = -above / safe, blur = all_lanes(e) / absolute(safe);
+    lanes safe = choose(along, all_lanes(1), rise), z = -above / safe, blur = e / absolute(safe);
     mask at_far = ~along & up & less(z - blur, c->far + c->blur);
     mask at_near = ~along & ~up & less(c->near - c->blur, z + blur);
     c->far = choose(at_far, smaller(c->far, z), c->far);
@@ -115,9 +114,9 @@ INLINE void clip_to_plane(const algsurf_i_row_job *job, const algsurf_i_cut_plan
 
 /* The part of each line of sight that is shown, as far as it is known. */
 INLINE chord chord_of(const algsurf_i_row_job *job, const sight *s) {
-    double e = 0x1p-44 + 4 * job->view->noise;
-    chord c =
-        job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
+    const double e = 0x1p-44 + 4 * job->view->noise;
+    const int ball = job->extent->kind == ALGSURF_EXTENT_SPHERE;
+    chord c = ball ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
     for (int i = 0; i < job->plane_count; i++)
         clip_to_plane(job, job->planes + i, s, e + job->planes[i].error, &c);
     return c;
@@ -136,12 +135,16 @@ INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask
 }
 
 INLINE sight sight_at(const algsurf_i_row_job *job, lanes pixel) {
-    lanes place = (pixel + all_lanes(job->offset)) * all_lanes(job->pixel);
-    lanes u = all_lanes(job->u0) + all_lanes(job->du) * place;
-    return (sight){.u = u,
-                   .a = all_lanes(job->view->alpha) * u + all_lanes(job->view->beta[0]),
-                   .v = all_lanes(job->row->v),
-                   .b = all_lanes(job->slope)};
+    lanes u = job->u0 + job->du * ((pixel + job->offset) * job->pixel);
+    return (sight){u, job->view->alpha * u + job->view->beta[0], all_lanes(job->row->v),
+                   all_lanes(job->slope)};
+}
+
+/* The states of so many lanes, at most. */
+INLINE void store_states(mask hit, mask undecided, int count, uint8_t *state) {
+    const unsigned hits = bits(hit), left = bits(undecided);
+    for (int l = 0; l < LANES && l < count; l++)
+        state[l] = (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (left >> l & 1));
 }
 
 /* P along lines of sight at u, in powers of depth. */
@@ -149,16 +152,15 @@ INLINE void powers_at(const algsurf_i_row_job *job, lanes u, lanes *c, int n) {
     for (int k = 0; k <= n; k++) {
         const double *row = job->row->c + k * job->row->stride;
         c[k] = all_lanes(row[n]);
-        for (int m = n - 1; m >= 0; m--) c[k] = c[k] * u + all_lanes(row[m]);
+        for (int m = n - 1; m >= 0; m--) c[k] = c[k] * u + row[m];
     }
 }
 
 /* What they are off by at most, taken together, for |z| <= 1. */
 INLINE lanes radius_at(const algsurf_i_row_job *job, lanes u, int n) {
-    lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
-              all_lanes(fabs(job->view->beta[0]) + job->view->noise);
-    lanes radius = all_lanes(0);
-    for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
+    lanes radius = all_lanes(0), x = absolute(u) + absolute(job->view->alpha * u);
+    x += fabs(job->view->beta[0]) + job->view->noise;
+    for (int i = n; i >= 0; i--) radius = radius * x + job->row->radius[i];
     return radius;
 }
 

@@ -33,9 +33,9 @@
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
-#define SMALL 0x1p-28 /* beside the diagonal: its square is far below FLAT */
+#define SMALL 0x1p-28      /* beside the diagonal: its square is far below FLAT */
 #define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
-#define NEWTON_ROUNDS 60 /* along a curved valley of fourth order a round goes a third of the way */
+#define NEWTON_ROUNDS 60   /* along a curved valley of fourth order a round goes a third of the way */
 
 /* ---- P about a point ---- */
 
@@ -50,8 +50,8 @@ INLINE void add_row_of_x(const double *c, int length, lanes x, lanes y, expansio
     for (int i = length - 1; i >= 0; i--) {
         dd = dd * x + d;
         d = d * x + v;
-        v = v * x + all_lanes(c[i]);
-        size = size * absolute(x) + all_lanes(fabs(c[i]));
+        v = v * x + c[i];
+        size = size * absolute(x) + fabs(c[i]);
     }
     p->yy = p->yy * y + p->y;
     p->xy = p->xy * y + p->x;
@@ -160,15 +160,15 @@ INLINE viewed look_at(const beside *b, const lanes at[3]) {
     viewed p;
     for (int k = 0; k < 3; k++) {
         place[k] = all_lanes(0);
-        for (int i = 0; i < 3; i++) place[k] += (at[i] - view->centre[i]) * all_lanes(view->axis[k][i]);
-        place[k] *= all_lanes(1 / view->size);
+        for (int i = 0; i < 3; i++) place[k] += (at[i] - view->centre[i]) * view->axis[k][i];
+        place[k] *= 1 / view->size;
     }
-    lanes shrunk = 1 + all_lanes(view->alpha) * place[2];
+    lanes shrunk = 1 + view->alpha * place[2];
     p.depth = place[2];
-    p.pixel = shrunk * all_lanes(view->size * b->job->row->thin_side);
+    p.pixel = shrunk * (view->size * b->job->row->thin_side);
     for (int k = 0; k < 2; k++)
-        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) *
-                      all_lanes(1 / b->job->row->thin_side);
+        p.across[k] =
+            ((place[k] - place[2] * view->beta[k]) / shrunk - middle[k]) * (1 / b->job->row->thin_side);
     return p;
 }
 
@@ -179,7 +179,7 @@ INLINE void look_along(const beside *b, const lanes v[3], lanes across[2]) {
     lanes part[3];
     for (int k = 0; k < 3; k++) {
         part[k] = all_lanes(0);
-        for (int i = 0; i < 3; i++) part[k] += v[i] * all_lanes(view->axis[k][i]);
+        for (int i = 0; i < 3; i++) part[k] += v[i] * view->axis[k][i];
     }
     for (int k = 0; k < 2; k++) across[k] = part[k] - slope[k] * part[2];
 }
@@ -204,14 +204,12 @@ INLINE newton_step step_of(const expansion *p, lanes sign, lanes pixel) {
     lanes l[3];
     newton_step n = {.step = {zero, zero, zero}, .falls = zero, .taken = zero};
     find_axes(p, l, n.axis);
-    lanes least = FLAT * larger(larger(absolute(l[0]), absolute(l[1])), absolute(l[2]));
+    lanes least = FLAT * largest_size(l);
     for (int i = 0; i < 3; i++) {
         lanes slope = dot(g, n.axis[i]), curved = sign * l[i];
         mask take = less(least, curved) & at_most(absolute(slope), MOST_PIXELS * pixel * curved);
         lanes step = choose(take, -slope / choose(take, l[i], all_lanes(1)), zero);
-        for (int k = 0; k < 3; k++) {
-            n.step[k] += step * n.axis[i][k];
-        }
+        for (int k = 0; k < 3; k++) n.step[k] += step * n.axis[i][k];
         n.falls -= sign * slope * step;
         n.taken += choose(take, all_lanes(1), zero);
         n.curved[i] = curved;

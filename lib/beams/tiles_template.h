@@ -87,7 +87,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     double apart = sqrt(g->hu * g->hu + g->hv * g->hv) * (1 + fabs(view->alpha)) + 0x1p-30;
     const sight s = {.u = g->u,
                      .v = all_lanes(g->v),
-                     .a = all_lanes(view->alpha) * g->u + all_lanes(view->beta[0]),
+                     .a = view->alpha * g->u + view->beta[0],
                      .b = all_lanes(view->alpha * g->v + view->beta[1])};
     (void)widen_extent(&wide, apart);
     if (wide.extent->kind == ALGSURF_EXTENT_ALL) wide.plane_count = 0;
@@ -95,11 +95,11 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     lanes slack = 4 * c.blur + SLACK;
     g->open &= less(c.near - slack, c.far + slack);
     lanes lo = larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK));
-    lo = larger(lo, from - all_lanes(BEFORE * apart));
+    lo = larger(lo, from - BEFORE * apart);
     lanes hi = larger(c.near, c.far) + slack;
     g->lo = larger(floor40(0.5 * lo + 0.5), all_lanes(0));
     g->from = 0.5 * from + 0.5;
-    g->hi = smaller(-floor40(all_lanes(-0.5) * hi - 0.5), all_lanes(1));
+    g->hi = smaller(-floor40(-0.5 * hi - 0.5), all_lanes(1));
     g->open &= less(g->lo, g->hi);
     g->least = all_lanes(2);
     g->most = all_lanes(-2);
@@ -115,8 +115,8 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
 INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n) {
     const algsurf_i_beam_row *row = job->beam;
     const algsurf_i_view *view = job->row->view;
-    lanes rest = all_lanes(0), reach = absolute(g->u) + all_lanes(fabs(g->hu));
-    lanes x = reach + all_lanes(fabs(view->alpha)) * reach + all_lanes(fabs(view->beta[0]) + view->noise);
+    lanes rest = all_lanes(0), reach = absolute(g->u) + fabs(g->hu);
+    lanes x = reach + fabs(view->alpha) * reach + (fabs(view->beta[0]) + view->noise);
     lanes radius = all_lanes(0), further = radius;
     for (int k = 0; k <= n; k++) {
         lanes sum = all_lanes(0);
@@ -127,7 +127,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             for (int i = 0; i + j <= n; i++) p[i] = all_lanes(c[i]);
             shift_levels(p, n - j, g->u, (n <= ORDER ? n : ORDER + 1) - j);
             for (int i = 0; i + j <= n && i + j <= ORDER; i++) {
-                lanes term = all_lanes(power) * p[i];
+                lanes term = power * p[i];
                 if (i + j <= 3)
                     g->t[term_at[i][j]][k] = term;
                 else
@@ -140,10 +140,10 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             for (int j = 0; i + j <= 3; j++)
                 if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
     }
-    for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
-    for (int i = n; i >= 0; i--) further = further * reach + all_lanes(row->beyond[i]);
-    g->rest = (rest + further) * all_lanes(1 + 0x1p-20);
-    g->rounding = radius * all_lanes(1 + 0x1p-20);
+    for (int i = n; i >= 0; i--) radius = radius * x + row->radius[i];
+    for (int i = n; i >= 0; i--) further = further * reach + row->beyond[i];
+    g->rest = (rest + further) * (1 + 0x1p-20);
+    g->rounding = radius * (1 + 0x1p-20);
     const double across = fabs(g->v) + fabs(g->hv);
     const double y = across + fabs(view->alpha) * across + fabs(view->beta[1]) + view->noise;
     const lanes most = larger(x, all_lanes(fmax(y, 1)));
@@ -187,7 +187,7 @@ INLINE void taylor_at(const lanes *w, int n, lanes x, int order, lanes a[4]) {
     for (int m = 0; m < 4; m++) a[m] = all_lanes(0);
     UNROLLED
     for (int left = n; left > 0; left--) {
-        if (left <= order) a[left] = all_lanes(choices) * difference(b, left);
+        if (left <= order) a[left] = choices * difference(b, left);
         choices *= left / (n - left + 1.0);
         UNROLLED
         for (int j = 0; j < left; j++) b[j] = rest * b[j] + x * b[j + 1];
@@ -203,8 +203,7 @@ INLINE void third_at(const tile_packet *g, lanes x, lanes c[TERMS - T30], int n)
     for (int k = 1; k <= n; k++) {
         binomial = binomial * (n - k + 1) / k;
         power *= x;
-        for (int i = T30; i < TERMS; i++)
-            c[i - T30] = c[i - T30] * rest + g->t[i][k] * (all_lanes(binomial) * power);
+        for (int i = T30; i < TERMS; i++) c[i - T30] = c[i - T30] * rest + g->t[i][k] * (binomial * power);
     }
 }
 
@@ -264,7 +263,8 @@ INLINE mask is_sheet_n(const tile_packet *g, const beam *whole, const lanes *z, 
     mask sound = less(from + 0x1p-20, to) & in_chords(g, from, to);
     *p = from = choose(sound, from, all_lanes(0));
     *q = to = choose(sound, to, all_lanes(1));
-    cut_beam(whole, &part, n, from, to);
+    for (int i = 0; i < LOW_TERMS; i++) cut_part(whole->t[i], part.t[i], n, from, to);
+    cut_part(whole->rest, part.rest, n, from, to);
     cell_of(&part, g->rounding, &c, n);
     sound &= less(c.e[0], c.w[0]) & less(c.e[n], -c.w[n]);
     lanes m = all_lanes(HUGE_VAL), rest = whole->rest[0];
@@ -273,11 +273,11 @@ INLINE mask is_sheet_n(const tile_packet *g, const beam *whole, const lanes *z, 
     for (int k = 0; k < n; k++) {
         lanes spread = rest;
         for (int i = 1; i < LOW_TERMS; i++)
-            spread += all_lanes(i == T20 || i == T02 ? 0.5 : 1) * absolute(part.t[i][k] - part.t[i][k + 1]);
+            spread += (i == T20 || i == T02 ? 0.5 : 1) * absolute(part.t[i][k] - part.t[i][k + 1]);
         m = smaller(m, c.w[k] - c.w[k + 1] - spread);
     }
-    *steep = all_lanes(n) * m / (2 * (to - from) * length) * all_lanes(1 - 0x1p-20);
-    return sound & less(all_lanes(2 / ALGSURF_I_NEAR) * g->unsure, *steep);
+    *steep = n * m / (2 * (to - from) * length) * (1 - 0x1p-20);
+    return sound & less((2 / ALGSURF_I_NEAR) * g->unsure, *steep);
 }
 
 /* ---- recording them ---- */
@@ -357,17 +357,16 @@ APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     return open;
 }
 
-/* The next tiles of the job, so many.  Those that are not decided become the first of the list, but for
- * leaves. */
-INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open_count) {
+/* The tiles from `first` on.  Those that are not decided become the first of the list, but for leaves. */
+INLINE int search_packet(algsurf_i_tile_job *job, int first, int open_count) {
     const algsurf_i_row_job *row = job->row;
+    const int count = job->count - first;
     double half = 0.5 * job->size;
     tile_packet g = {
         .y = job->y, .v = job->beam->v, .hu = copysign(job->beam->hu, row->du), .hv = job->beam->h};
     lanes p;
     g.x = load_some_integers(job->at + first, count);
-    g.u = all_lanes(row->u0) +
-          all_lanes(row->du) * ((g.x + all_lanes(half + row->offset)) * all_lanes(row->pixel));
+    g.u = row->u0 + row->du * ((g.x + (half + row->offset)) * row->pixel);
     g.open = less(numbered(), all_lanes(count));
     lanes from = load_some(job->from + first, count);
     clip_tiles(job, from, &g);
@@ -389,10 +388,7 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
 
 static void search_tiles(algsurf_i_tile_job *job) {
     int open = 0;
-    for (int first = 0; first < job->count; first += LANES) {
-        int count = job->count - first < LANES ? job->count - first : LANES;
-        open = search_packet(job, first, count, open);
-    }
+    for (int first = 0; first < job->count; first += LANES) open = search_packet(job, first, open);
     job->count = open;
 }
 

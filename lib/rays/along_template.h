@@ -63,7 +63,7 @@ INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, chord_
         reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
     k->blur = (r->off + 0x1p-52 * (absolute(line->t_c) + line->h)) / absolute(line->h);
-    k->undecided |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
+    k->undecided |= k->open & ~less(largest_size(reach), all_lanes(job->surface->most_reach));
     k->undecided |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->undecided;
     k->start = all_lanes(-1); /* all of [0,1] is searched, and solve_chords looks at its ends */

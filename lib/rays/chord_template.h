@@ -41,10 +41,6 @@ INLINE lanes along(lanes x, lanes low, lanes t, lanes d) {
     return sum + (sum_low + (product_low + low));
 }
 
-INLINE lanes largest_of(const lanes v[3]) {
-    return larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
-}
-
 /* Rays that are solved together, and where they are in the job's arrays: side by side, or listed, and then
  * copied. */
 typedef struct places {
@@ -61,6 +57,14 @@ INLINE void set_places(places *w, size_t first, size_t count) {
 
 INLINE const double *number_of(const double *all, const places *w, int which) {
     return w->listed ? w->copy[which] : all + w->ray[0];
+}
+
+/* The coordinates that change along lane l, as bits; by the caller's direction: a component that has
+ * underflown since is none that does not change. */
+INLINE int changing(const algsurf_i_rays_job *job, const places *w, int l) {
+    int which = 0;
+    for (int i = 0; i < 3; i++) which |= (number_of(job->rays->direction[i], w, 3 + i)[l] != 0) << i;
+    return which;
 }
 
 INLINE lanes load_number(const double *all, const places *w, int which) {
@@ -85,7 +89,7 @@ INLINE void load_rays(const algsurf_i_rays_job *job, const places *w, double sca
     r->t_unit = shrink * r->unit;
     lanes inverse = (lanes)(0x7fe0000000000000u - (words)r->t_unit);
     mask plain = less(all_lanes(LEAST_UNIT), r->t_unit) & less(r->t_unit, all_lanes(MOST_UNIT));
-    plain &= less(largest_of(r->origin), all_lanes(FARTHEST));
+    plain &= less(largest_size(r->origin), all_lanes(FARTHEST));
     r->near = job->rays->t_min ? inverse * load_number(job->rays->t_min, w, 6) : all_lanes(0);
     r->far = job->rays->t_max ? inverse * load_number(job->rays->t_max, w, 7) : all_lanes(HUGE_VAL);
     r->off = all_lanes(0);
@@ -113,7 +117,7 @@ INLINE void clip_to_sphere(ray_lanes *r, const double centre[3], double radius) 
     lanes reach = square * (radius * radius), inside = reach - dot(c, c);
     lanes size = reach + square * dot(x, x);
     mask misses = less(inside, -0x1p-48 * size);
-    r->undecided |= r->open & ~less(largest_of(q), all_lanes(FARTHEST_ORIGIN * radius));
+    r->undecided |= r->open & ~less(largest_size(q), all_lanes(FARTHEST_ORIGIN * radius));
     r->open &= ~(misses | r->undecided);
     lanes half = root(larger(inside, all_lanes(0))), b = -dot(x, d); /* 0: then off is infinite */
     lanes off = 0x1p-49 * (absolute(t) + half / square) + 0x1p-47 * size / (half * square);
@@ -139,9 +143,8 @@ INLINE void clip_to_box(ray_lanes *r, const double centre[3], const double size[
 /* Rays that are exactly along a plane: each component of its normal is 0, or the ray's direction's is. */
 APART mask along_plane(const algsurf_i_rays_job *job, const places *w, const algsurf_plane *plane) {
     lanes rises = all_lanes(0);
-    for (int l = 0; l < w->count; l++)
-        for (int i = 0; i < 3; i++)
-            if (plane->normal[i] != 0 && number_of(job->rays->direction[i], w, 3 + i)[l] != 0) rises[l] = 1;
+    const int normal = (plane->normal[0] != 0) | (plane->normal[1] != 0) << 1 | (plane->normal[2] != 0) << 2;
+    for (int l = 0; l < w->count; l++) rises[l] = (changing(job, w, l) & normal) != 0;
     return at_most(rises, all_lanes(0));
 }
 

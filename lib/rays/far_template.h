@@ -1,8 +1,7 @@
 /* far_template.h - rays without ends, or with far ones: the pieces that LANES of them are searched in.
  *
  * What Bernstein coefficients over a piece tell of what is beyond its ends: roots/beyond_template.h.  P's
- * degree along a ray is that in the coordinates that change, by the caller's direction: a component that has
- * underflown since is none that does not change.
+ * degree along a ray is that in the coordinates that change.
  *
  * Pieces.  The innermost one is about the ray's point nearest to the origin of space, where the surface's
  * unit balances P's terms.  Those before and behind end 8 times as far from that point each, so that on each
@@ -60,11 +59,7 @@ APART void begin_pieces(const algsurf_i_rays_job *job, const places *w, ray_lane
     f->reach = root(larger(size - away, 0.25 * (size + away)) / square);
     f->reach = larger(f->reach, 2 * larger(f->first - f->centre, f->centre - f->last));
     f->degree = all_lanes(s->degree);
-    for (int l = 0; l < w->count; l++) {
-        int changing = 0;
-        for (int i = 0; i < 3; i++) changing |= (number_of(job->rays->direction[i], w, 3 + i)[l] != 0) << i;
-        f->degree[l] = s->degree_in[changing];
-    }
+    for (int l = 0; l < w->count; l++) f->degree[l] = s->degree_in[changing(job, w, l)];
     set_piece(f, r);
 }
 

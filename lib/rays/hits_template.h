@@ -110,9 +110,9 @@ APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes si
 
 INLINE mask unclear(const algsurf_surface *s, const lanes x[3], const lanes gradient[3], lanes step,
                     mask which) {
-    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(s->degree * s->size);
+    lanes size = larger(all_lanes(1), largest_size(x)), power = all_lanes(s->degree * s->size);
     lanes error = ALGSURF_I_CLEAR * ((4 * s->degree + 8) * 0x1p-53 * size + 128 * absolute(step));
-    lanes gradient_size = largest_of(gradient) * size; /* like the error, times L */
+    lanes gradient_size = largest_size(gradient) * size; /* like the error, times L */
     for (int i = 1; i < s->degree; i++) power *= size;
     mask not_yet = which & ~less(power * error, gradient_size);
     return any(not_yet) ? not_yet & unclear_by_terms(s, x, size, error, gradient_size) : not_yet;

@@ -4,7 +4,7 @@
  * or, for colours, floats, twice as many, where it defines SINGLE.  Every lane is rounded as a number alone
  * would be, and no operation mixes lanes: so all kernels give the same bits.  (That also forbids fused
  * multiply-add; base/arithmetic.h sees to it.)  A mask has all bits of a lane set where it is true.  A double
- * that meets lanes goes through all_lanes(), which rounds it to a number. */
+ * that meets floats goes through all_lanes(), which rounds it to one. */
 #ifndef ALGSURF_LANES_H
 #define ALGSURF_LANES_H
 #include <math.h>
@@ -142,6 +142,10 @@ typedef int32_t integers __attribute__((vector_size(4 * LANES)));
 
 INLINE lanes dot(const lanes a[3], const lanes b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+INLINE lanes largest_size(const lanes v[3]) {
+    return larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
+}
+
 /* ---- floats only ---- */
 #if defined(SINGLE)
 
@@ -267,8 +271,7 @@ INLINE void store_some_floats(float *p, lanes a, int count) {
 /* 2^-e, where 2^e <= |v| < 2^(e+1) for the largest component of v, if below 2^1023: its components may be
  * squared when multiplied by it. */
 INLINE lanes scale_of(const lanes v[3]) {
-    lanes size = larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
-    return (lanes)(0x7fe0000000000000u - ((words)size & 0x7ff0000000000000u));
+    return (lanes)(0x7fe0000000000000u - ((words)largest_size(v) & 0x7ff0000000000000u));
 }
 
 /* v / |v|; 0 where v is 0, not finite or beyond that. */
