@@ -106,10 +106,8 @@ INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth
     const lanes length = r->length * end;
     for (int turn = 0; any(open) && turn < DIP_TURNS; turn++) {
         const lanes size = to - from;
-        const lanes large =
-            k->e[0] +
-            large_within(
-                job, larger(distance2_at(s, r->lo + length * from), distance2_at(s, r->lo + length * to)), n);
+        const lanes near = distance2_at(s, r->lo + length * from), far = distance2_at(s, r->lo + length * to),
+                    large = k->e[0] + large_within(job, larger(near, far), n);
         const falls f = falls_of(w, fell, large, n);
         mask some = open & f.some, on = open & ~some;
         const lanes pixel = job->thin_side / (length * size);

@@ -5,7 +5,6 @@
 #define WATCHED 0
 #include "kernels.h"
 #include "complex_pixels_template.h"
-#include "lift_template.h"
 #include "pixels_template.h"
 #include "points_template.h"
 #include "segments_template.h"

@@ -30,7 +30,7 @@
 
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
-#include "rows.h"
+#include "segments.h"
 
 /* Of Newton steps, in the view's unit: see Steps. */
 #define FARTHEST_STEP 0x1p-16    /* a longer one is not taken, */
@@ -208,6 +208,33 @@ static int find_points(const algsurf_i_point_job *job, const int *pixel, const d
                        const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
     return sheets ? find_all(job, pixel, depth, count, sheets, sure, points)
                   : find_all(job, pixel, depth, count, NULL, sure, points);
+}
+
+/* Points lifted off the surface, so that rays from them do not meet it where they begin.
+ *
+ * A millionth of what is shown is invisible, and well above the error of a hit's position, which the second
+ * term bounds for far eyes and far extents: position and t are rounded to 2^-53, and 2^-48 leaves room for
+ * the root's own error. */
+static void lift(const algsurf_i_points *points, int first, int count, double height,
+                 algsurf_i_starts *starts) {
+    for (int i = 0; i < count; i += LANES) {
+        lanes position[3], normal[3], direction[3];
+        for (int k = 0; k < 3; k++) {
+            position[k] = load_some(points->position[k] + first + i, count - i);
+            normal[k] = load_some(points->normal[k] + first + i, count - i);
+            direction[k] = load_some(points->direction[k] + first + i, count - i);
+        }
+        lanes t = load_some(points->t + first + i, count - i);
+        lanes up = height + 0x1p-48 * (absolute(t) + largest_size(position));
+        mask singular = at_most(largest_size(normal), all_lanes(0));
+        mask away = less(all_lanes(0), dot(normal, direction));
+        for (int k = 0; k < 3; k++) {
+            lanes facing = choose(singular, -direction[k], choose(away, -normal[k], normal[k]));
+            store(starts->facing[k] + i, facing);
+            store(starts->at[k] + i, position[k] + up * facing);
+        }
+    }
+    starts->count = count;
 }
 
 #endif

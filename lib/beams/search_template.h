@@ -94,11 +94,12 @@ INLINE signs count_part(const search_part *part, cell *c, mask *known, int n) {
 }
 
 /* The first cells of open beams, whose coefficients are off by `rounding` at most. */
-INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
+APART void search(const beam *beams, lanes rounding, mask open, int n, verdict *to) {
     search_part whole, part;
     cell c = {.p = all_lanes(0), .q = all_lanes(1)};
     verdict v = {no_lane(), no_lane(), c.p, c.q, c.p, (words)c.p};
     mask known;
+    if (n < 1 || n > BEAM_DEGREE) __builtin_unreachable();
     search_part_of(beams, rounding, &whole, n);
     part = whole;
     signs s = count_part(&part, &c, &known, n);
@@ -112,7 +113,7 @@ INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
         v.guess = choose(one, chord_root, v.guess);
         v.side = (words)choose(one, (lanes)c.side, (lanes)v.side);
         open &= known & ~(last | one) & less(all_lanes(SHORTEST), c.q - c.p);
-        if (turn == TURNS || !any(open)) return v;
+        if (turn == TURNS || !any(open)) break;
         const mask again = open & none, on = open & ~none;
         search_part other;
         if (any(on)) {
@@ -132,11 +133,7 @@ INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
         }
         s = count_part(&part, &c, &known, n);
     }
-}
-
-APART void search(const beam *whole, lanes rounding, mask open, int n, verdict *v) {
-    if (n < 1 || n > BEAM_DEGREE) __builtin_unreachable();
-    *v = search_n(whole, rounding, open, n);
+    *to = v;
 }
 
 #endif

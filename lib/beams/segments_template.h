@@ -21,7 +21,6 @@
 #include "../roots/first_walk_template.h"
 #include "ends_template.h"
 #include "lattice_template.h"
-#include "segments.h"
 
 #define TAYLOR_DEGREE ALGSURF_MAX_TAYLOR_DEGREE
 #define SHORTEST_END 0x1p-60 /* of a ray that begins outside and stays there */
@@ -219,23 +218,15 @@ INLINE void measure_ball(double radius, solid_packet *s) {
     s->gap = choose(s->inside, 8 * END_SLACK + 2 * (wide * wide - narrow * narrow) / s->room, all_lanes(1));
 }
 
-INLINE ray_ends ends_of_rays_in_ball(const solid_packet *s, const lanes d[3]) {
+INLINE ray_ends ends_in_ball(const solid_packet *s, const lanes d[3]) {
     lanes a = dot(d, d), b = dot(s->x, d);
     lanes most = (root(larger(b * b + a * s->room, all_lanes(0))) - b) / a;
     return (ray_ends){most * (1 - s->gap), most};
 }
 
-/* Where rays leave the extent, between these. */
-INLINE ray_ends ends_of_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes d[3]) {
-    ray_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE ? ends_of_rays_in_ball(s, d)
-                                                           : ends_in_box(job->extent_size, s->x, d);
-    return ends_at_planes(job, s->x, d, e);
-}
-
-/* Rays from x with these directions, in the caller's unit, up to where they leave the extent; returns the
- * part of them that is searched. */
-INLINE lanes cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes direction[3],
-                      ray_packet *k) {
+/* Rays from x with these directions, in the caller's unit, up to where they leave the extent. */
+INLINE void cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes direction[3],
+                     ray_packet *k) {
     const double unit = job->unit / job->taylor->frame.view.size;
     lanes end[3], part = all_lanes(1), gap;
     for (int i = 0; i < 3; i++) {
@@ -243,21 +234,19 @@ INLINE lanes cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, co
         end[i] = s->x[i] + k->d[i];
     }
     k->gap = all_lanes(0);
-    if (job->plane_count == 0 && !any(k->open & ~(s->inside & within(job, end)))) return part;
-    ray_ends e = ends_of_rays(job, s, k->d);
+    if (job->plane_count == 0 && !any(k->open & ~(s->inside & within(job, end)))) return;
+    const int ball = job->extent_kind == ALGSURF_EXTENT_SPHERE;
+    ray_ends e = ball ? ends_in_ball(s, k->d) : ends_in_box(job->extent_size, s->x, k->d);
+    e = ends_at_planes(job, s->x, k->d, e);
     part = larger(smaller(e.most * (1 + END_SLACK), part), all_lanes(SHORTEST_END));
-    if (job->extent_kind == ALGSURF_EXTENT_SPHERE && job->plane_count == 0)
-        gap = s->gap;
-    else
-        gap = 1 - e.least / part + END_SLACK;
+    gap = ball && job->plane_count == 0 ? s->gap : 1 - e.least / part + END_SLACK;
     k->gap = choose(less(part, e.least), all_lanes(0), gap);
     for (int i = 0; i < 3; i++) k->d[i] *= part;
-    return part;
 }
 
 INLINE void judge(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes direction[3],
                   ray_packet *k) {
-    (void)cut_rays(job, s, direction, k);
+    cut_rays(job, s, direction, k);
     mask known = s->known;
     for (int i = 0; i < 3; i++) known &= less(absolute(s->x[i] + k->d[i]), all_lanes(ALGSURF_I_TAYLOR_REACH));
     mask unknown = k->open & ~known;

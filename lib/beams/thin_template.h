@@ -148,6 +148,14 @@ INLINE lanes error_of(const beside *b, const expansion *p, lanes pixel) {
     return rounding_of(b, p) + FLAT * pixel * pixel * bend_of(p);
 }
 
+/* A vector in the view's axes. */
+INLINE void turn_to_view(const algsurf_i_view *view, const lanes v[3], lanes part[3]) {
+    for (int k = 0; k < 3; k++) {
+        part[k] = all_lanes(0);
+        for (int i = 0; i < 3; i++) part[k] += v[i] * view->axis[k][i];
+    }
+}
+
 /* Where a point is viewed: in pixels from the ray, to the right and up; its depth; a pixel's size there. */
 typedef struct viewed {
     lanes across[2], depth, pixel;
@@ -156,13 +164,11 @@ typedef struct viewed {
 INLINE viewed look_at(const beside *b, const lanes at[3]) {
     const algsurf_i_view *view = b->job->row->view;
     const lanes middle[2] = {b->s.u, b->s.v};
+    const lanes from[3] = {at[0] - view->centre[0], at[1] - view->centre[1], at[2] - view->centre[2]};
     lanes place[3];
     viewed p;
-    for (int k = 0; k < 3; k++) {
-        place[k] = all_lanes(0);
-        for (int i = 0; i < 3; i++) place[k] += (at[i] - view->centre[i]) * view->axis[k][i];
-        place[k] *= 1 / view->size;
-    }
+    turn_to_view(view, from, place);
+    for (int k = 0; k < 3; k++) place[k] *= 1 / view->size;
     lanes shrunk = 1 + view->alpha * place[2];
     p.depth = place[2];
     p.pixel = shrunk * (view->size * b->job->row->thin_side);
@@ -170,18 +176,6 @@ INLINE viewed look_at(const beside *b, const lanes at[3]) {
         p.across[k] =
             ((place[k] - place[2] * view->beta[k]) / shrunk - middle[k]) * (1 / b->job->row->thin_side);
     return p;
-}
-
-/* How far a step along v, of one pixel, goes across: in pixels. */
-INLINE void look_along(const beside *b, const lanes v[3], lanes across[2]) {
-    const algsurf_i_view *view = b->job->row->view;
-    const lanes slope[2] = {b->s.a, b->s.b};
-    lanes part[3];
-    for (int k = 0; k < 3; k++) {
-        part[k] = all_lanes(0);
-        for (int i = 0; i < 3; i++) part[k] += v[i] * view->axis[k][i];
-    }
-    for (int k = 0; k < 2; k++) across[k] = part[k] - slope[k] * part[2];
 }
 
 INLINE lanes value_at(const beside *b, const lanes at[3], const lanes step[3], lanes times) {
@@ -236,11 +230,13 @@ INLINE lanes lengthen(const beside *b, const newton_step *n, const lanes at[3], 
 /* Along the direction that is left, so many pixels at most, to where the pixel's middle column or row passes.
  */
 INLINE void follow_line(const beside *b, const newton_step *n, lanes pixels, lanes at[3]) {
-    lanes across[2];
+    lanes part[3];
     viewed p = look_at(b, at);
-    look_along(b, n->left, across);
-    mask flat = at_most(absolute(across[1]), absolute(across[0]));
-    lanes along = choose(flat, across[0], across[1]), off = choose(flat, p.across[0], p.across[1]);
+    turn_to_view(b->job->row->view, n->left, part);
+    /* how far a step of one pixel goes across: in pixels */
+    const lanes right = part[0] - b->s.a * part[2], up = part[1] - b->s.b * part[2];
+    mask flat = at_most(absolute(up), absolute(right));
+    lanes along = choose(flat, right, up), off = choose(flat, p.across[0], p.across[1]);
     mask slanted = less(absolute(off), pixels * absolute(along));
     lanes by = choose(slanted, off / choose(slanted, along, all_lanes(1)), all_lanes(0)) * p.pixel;
     for (int k = 0; k < 3; k++) at[k] -= by * n->left[k];
