@@ -22,8 +22,8 @@
 #include "../base/arithmetic.h"
 #include <stdlib.h>
 
+#include "../base/eft.h"
 #include "../base/elementary.h"
-#include "../rays/expand_impl.h"
 #include "../rays/intersect_impl.h"
 #include "../rays/region.h"
 #include "impl.h"

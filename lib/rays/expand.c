@@ -26,7 +26,9 @@ static double power_above(double x) {
     return m == 0 ? 1 : ldexp(1, m == 0.5 ? e - 1 : e);
 }
 
-double algsurf_i_scaled(double x, int e) {
+/* x 2^e; what underflows becomes the least number of its sign, so that it is seen where underflow is
+ * accounted for (the error is at most 2^-1074 either way). */
+static double scaled(double x, int e) {
     double y = ldexp(x, e);
     return y == 0 && x != 0 ? copysign(0x1p-1074, x) : y;
 }
@@ -52,8 +54,8 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     int e;
     (void)frexp(algsurf_max_abs(ray->direction), &e);
     for (int i = 0; i < 3; i++) {
-        O[i] = algsurf_i_scaled(ray->origin[i], -surface->unit);
-        f->V[i] = algsurf_i_scaled(ray->direction[i], -e);
+        O[i] = scaled(ray->origin[i], -surface->unit);
+        f->V[i] = scaled(ray->direction[i], -e);
     }
     f->exponent = e - surface->unit;
     double lo = ldexp(ray->t_min, f->exponent), hi = ldexp(ray->t_max, f->exponent);
@@ -68,7 +70,7 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     } else {
         f->step = natural;
     }
-    for (int i = 0; i < 3; i++) f->D[i] = algsurf_i_scaled(f->V[i], ilogb(f->step));
+    for (int i = 0; i < 3; i++) f->D[i] = scaled(f->V[i], ilogb(f->step));
     f->lost = is_lost(f, ray->direction);
 }
 
@@ -179,8 +181,8 @@ static algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, do
     if (status != ALGSURF_OK) return status;
     double X[3], D[3], q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1];
     for (int i = 0; i < 3; i++) {
-        X[i] = algsurf_i_scaled(ray->origin[i], -s->unit);
-        D[i] = algsurf_i_scaled(ray->direction[i], -s->unit);
+        X[i] = scaled(ray->origin[i], -s->unit);
+        D[i] = scaled(ray->direction[i], -s->unit);
     }
     algsurf_i_expand_d(s, X, D, q, qr);
     return give(s, q, qr, c, r);

@@ -21,10 +21,6 @@ typedef struct algsurf_i_frame {
     int lost;            /* 1: V is not the exact direction, and s so large that this shows in X and D */
 } algsurf_i_frame;
 
-/* x 2^e; what underflows becomes the least number of its sign, so that it is seen where underflow is
- * accounted for (the error is at most 2^-1074 either way). */
-double algsurf_i_scaled(double x, int e);
-
 /* A frame for the ray, t_min <= t_max.  About the middle of the chord if that is short against the
  * surface (or `chord` is set; t_min, t_max are then finite), otherwise about the ray's point nearest to
  * the origin of space, with the unit in which the surface's terms balance. */

@@ -97,10 +97,6 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
     packet_code(q)->solve(&job, hits);
 }
 
-static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
-    return is_active(rays, i) && state[i] == ALGSURF_LANE_UNDECIDED;
-}
-
 static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hit *hit) {
     hits->state[i] = (unsigned char)hit->state;
     if (hits->reason) hits->reason[i] = (signed char)hit->reason;
@@ -119,7 +115,7 @@ static void store_hit(const algsurf_hit_packet *hits, size_t i, const algsurf_hi
 static ALGSURF_NOINLINE void answer_for_power(const algsurf_i_query *q, const algsurf_ray_packet *rays,
                                               const algsurf_hit_packet *hits) {
     for (size_t i = 0; i < rays->count; i++) {
-        if (!is_active(rays, i) || left_alone(rays, hits->state, i)) continue;
+        if (!is_active(rays, i) || hits->state[i] == ALGSURF_LANE_UNDECIDED) continue;
         algsurf_hit hit = {.multiplicity = hits->multiplicity ? hits->multiplicity[i] : 0,
                            .side = hits->side ? hits->side[i] : 0};
         for (int k = 0; k < 3; k++) hit.normal[k] = hits->normal[k] ? hits->normal[k][i] : 0;
@@ -131,58 +127,34 @@ static ALGSURF_NOINLINE void answer_for_power(const algsurf_i_query *q, const al
     }
 }
 
-/* A ray that could not be decided for want of memory. */
-static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
-    *hit = (algsurf_hit){.state = ALGSURF_STATE_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
-    hit->t = hit->t_lo = ray->t_min;
-    hit->t_hi = ray->t_max;
-}
-
-/* The normal that packets leave open. */
-static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                       const algsurf_hit_packet *hits, size_t i) {
+static int lacks_normal(const algsurf_hit_packet *hits, size_t i) {
     int open = 0;
     for (int k = 0; k < 3; k++) open |= hits->normal[k] && isnan(hits->normal[k][i]);
-    if (!open || hits->state[i] != ALGSURF_STATE_HIT || !is_active(rays, i)) return;
-    algsurf_ray ray = ray_of(rays, i);
-    algsurf_hit hit;
-    (void)algsurf_i_first_hit(q, &ray, 0, &hit, NULL);
-    for (int k = 0; k < 3; k++)
-        if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
+    return open && hits->state[i] == ALGSURF_STATE_HIT;
 }
 
 /* The rays, and the normals, that packets leave undecided, one by one. */
 static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                                              const algsurf_hit_packet *hits, uint64_t *exact) {
-    algsurf_status status = ALGSURF_OK;
+                                              int any, const algsurf_hit_packet *hits, uint64_t *exact) {
+    algsurf_status status = ALGSURF_OK, one;
     for (size_t i = 0; i < rays->count; i++) {
-        if (hits->reason && is_active(rays, i)) hits->reason[i] = ALGSURF_OK;
-        if (!left_alone(rays, hits->state, i)) {
-            set_normal(q, rays, hits, i);
+        const int left = hits->state[i] == ALGSURF_LANE_UNDECIDED;
+        if (!is_active(rays, i)) continue;
+        if (hits->reason) hits->reason[i] = ALGSURF_OK;
+        if (!left && !lacks_normal(hits, i)) continue;
+        const algsurf_ray ray = ray_of(rays, i);
+        algsurf_hit hit = {.state = ALGSURF_STATE_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
+        if (!left) {
+            (void)algsurf_i_first_hit(q, &ray, 0, &hit, NULL);
+            for (int k = 0; k < 3; k++)
+                if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
             continue;
         }
-        algsurf_ray ray = ray_of(rays, i);
-        algsurf_hit hit;
-        algsurf_status one = algsurf_i_first_hit(q, &ray, !q->has_method, &hit, exact);
-        if (one != ALGSURF_OK) {
-            set_no_memory(&ray, &hit);
-            status = one;
-        }
+        hit.t = hit.t_lo = ray.t_min, hit.t_hi = ray.t_max; /* so it stays without memory */
+        one = any ? algsurf_i_occluded(q, &ray, 1, &hit.state)
+                  : algsurf_i_first_hit(q, &ray, !q->has_method, &hit, exact);
+        if (one != ALGSURF_OK) status = one;
         store_hit(hits, i, &hit);
-    }
-    return status;
-}
-
-static algsurf_status occlude(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                              unsigned char *state) {
-    algsurf_status status = ALGSURF_OK;
-    for (size_t i = 0; i < rays->count; i++) {
-        if (!left_alone(rays, state, i)) continue;
-        algsurf_ray ray = ray_of(rays, i);
-        int one = ALGSURF_STATE_UNDECIDED;
-        algsurf_status decided = algsurf_i_occluded(q, &ray, 1, &one);
-        if (decided != ALGSURF_OK) status = decided;
-        state[i] = (unsigned char)one;
     }
     return status;
 }
@@ -192,7 +164,7 @@ static algsurf_status answer(const algsurf_i_query *q, const algsurf_ray_packet 
                              const algsurf_hit_packet *hits, uint64_t *exact) {
     solve_together(q, rays, any, hits);
     if (q->power > 1 && !any) answer_for_power(q, rays, hits);
-    return any ? occlude(q, rays, hits->state) : finish(q, rays, hits, exact);
+    return finish(q, rays, any, hits, exact);
 }
 
 /* ---- packets that are no such arrays, have bad rays, or do not ask for the sides that are needed ---- */

@@ -69,21 +69,8 @@ algsurf_status algsurf_i_extent_check(const algsurf_extent *extent) {
     return ALGSURF_OK;
 }
 
-/* The line through q along d and the sphere |X| = r about the origin, all of size about 1. */
-static int line_sphere(const double q[3], const double d[3], double r, double t[2]) {
-    double dd = algsurf_dot(d, d), t_c = -algsurf_dot(q, d) / dd, x[3];
-    for (int i = 0; i < 3; i++) x[i] = q[i] + t_c * d[i];
-    double c[3] = {x[1] * d[2] - x[2] * d[1], x[2] * d[0] - x[0] * d[2], x[0] * d[1] - x[1] * d[0]};
-    double discriminant = dd * r * r - algsurf_dot(c, c);
-    if (discriminant < 0) return 0;
-    double b = -algsurf_dot(x, d), root = sqrt(discriminant);
-    t[0] = t_c + (b - root) / dd;
-    t[1] = t_c + (b + root) / dd;
-    return 1;
-}
-
 static int clip_sphere(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
-    double q[3], d[3], length = 0.5 * extent->size[0];
+    double q[3], d[3], x[3], length = 0.5 * extent->size[0];
     for (int i = 0; i < 3; i++) {
         q[i] = 0.5 * ray->origin[i] - 0.5 * extent->centre[i];
         length = fmax(length, fabs(q[i]));
@@ -94,8 +81,14 @@ static int clip_sphere(const algsurf_extent *extent, const algsurf_ray *ray, dou
         d[i] = scale_d * ray->direction[i];
         q[i] *= scale_q;
     }
-    if (!line_sphere(q, d, scale_q * extent->size[0] * 0.5, ends)) return 0;
-    for (int i = 0; i < 2; i++) ends[i] = ldexp(ends[i], eq - ed + 1);
+    const double r = scale_q * extent->size[0] * 0.5, dd = algsurf_dot(d, d), t_c = -algsurf_dot(q, d) / dd;
+    for (int i = 0; i < 3; i++) x[i] = q[i] + t_c * d[i];
+    double c[3] = {x[1] * d[2] - x[2] * d[1], x[2] * d[0] - x[0] * d[2], x[0] * d[1] - x[1] * d[0]};
+    double discriminant = dd * r * r - algsurf_dot(c, c);
+    if (discriminant < 0) return 0;
+    double b = -algsurf_dot(x, d), root = sqrt(discriminant);
+    ends[0] = ldexp(t_c + (b - root) / dd, eq - ed + 1);
+    ends[1] = ldexp(t_c + (b + root) / dd, eq - ed + 1);
     return 1;
 }
 
@@ -116,13 +109,10 @@ static int clip_box(const algsurf_extent *extent, const algsurf_ray *ray, double
     return 1;
 }
 
-/* Where the line of a ray enters and leaves an extent; infinite also where that is beyond the largest double.
- * Returns 0 when it does not meet it, as computed. */
+/* Where the line of a ray enters and leaves a ball or box; infinite also where that is beyond the largest
+ * double.  Returns 0 when it does not meet it, as computed. */
 static int clip_line(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
-    ends[0] = -INFINITY;
-    ends[1] = INFINITY;
-    if (extent && extent->kind == ALGSURF_EXTENT_SPHERE) return clip_sphere(extent, ray, ends);
-    return !extent || extent->kind != ALGSURF_EXTENT_BOX || clip_box(extent, ray, ends);
+    return extent->kind == ALGSURF_EXTENT_BOX ? clip_box(extent, ray, ends) : clip_sphere(extent, ray, ends);
 }
 
 /* By how much to move the extent's surface along an axis, or the sphere's in all. */
