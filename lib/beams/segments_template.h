@@ -337,18 +337,8 @@ static void expand(const algsurf_i_shadow_job *job, const algsurf_i_starts *star
     }
 }
 
-INLINE void add_undecided(unsigned lanes_left, int first, const lanes direction[3],
-                          algsurf_i_undecided *undecided) {
-    for (int l = 0; l < LANES; l++) {
-        if (!(lanes_left >> l & 1)) continue;
-        undecided->start[undecided->count] = first + l;
-        for (int k = 0; k < 3; k++) undecided->direction[k][undecided->count] = direction[k][l];
-        undecided->count++;
-    }
-}
-
 static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                     const algsurf_i_solids *solids, int from, int rays, algsurf_i_undecided *undecided) {
+                     const algsurf_i_solids *solids, int from, int rays, algsurf_i_undecided *to) {
     const solid_packet *s = solids ? (const solid_packet *)(const void *)solids->packets : NULL;
     for (int first = 0; first < starts->count; first += LANES) {
         lanes arrived = all_lanes(0);
@@ -363,7 +353,12 @@ static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *st
                             .hit = no_lane()};
             if (s) judge(job, s + first / LANES, direction, &k);
             arrived += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
-            if (any(k.open)) add_undecided(bits(k.open), first, direction, undecided);
+            const unsigned undecided = bits(k.open);
+            for (int l = 0; undecided >> l && l < LANES; l++) {
+                if (!(undecided >> l & 1)) continue;
+                for (int i = 0; i < 3; i++) to->direction[i][to->count] = direction[i][l];
+                to->start[to->count++] = first + l;
+            }
         }
         for (int l = 0; l < LANES && first + l < starts->count; l++) *starts->seen[first + l] += arrived[l];
     }

@@ -97,8 +97,7 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
 /* What a plane keeps of chords.  Where it surely cuts nothing off, it leaves their error as it is. */
 INLINE void clip_to_plane(const algsurf_i_row_job *job, const algsurf_i_cut_plane *plane, const sight *s,
                           double e, chord *c) {
-    const lanes n[3] = {all_lanes(plane->normal[0]), all_lanes(plane->normal[1]),
-                        all_lanes(plane->normal[2])};
+    const double *n = plane->normal;
     lanes above = n[0] * s->u + (n[1] * s->v - (plane->offset + job->plane_room));
     lanes rise = n[0] * s->a + (n[1] * s->b + n[2]), room = all_lanes(4 * (PARALLEL + e));
     mask along = at_most(absolute(rise), all_lanes(PARALLEL)), up = less(all_lanes(0), rise);

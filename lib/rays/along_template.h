@@ -44,14 +44,11 @@ APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line
 /* b from nodes, and one radius for all of them. */
 INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     const algsurf_surface *s = job->surface;
-    lanes x[3];
+    lanes reach[3];
     coefficients_of_many(s, line, k->b, n);
-    for (int i = 0; i < 3; i++) {
-        lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
-        x[i] = s->stride[i] == 2 ? reach * reach : reach;
-    }
+    for (int i = 0; i < 3; i++) reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     double factor = (10 * n + 20) * 0x1p-53 + s->error;
-    k->e[0] = factor * s->amplification * surface_magnitude(s, x) + LOST_BY_UNDERFLOW;
+    k->e[0] = factor * s->amplification * surface_magnitude(s, reach) + LOST_BY_UNDERFLOW;
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */

@@ -18,8 +18,7 @@ typedef struct lanes_hit {
 /* How far from a root the rounding of P and of x alone may show one: 3 n + 3 roundings of P and n of x, twice
  * that for the step and its own value. */
 INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slope) {
-    lanes reach[3];
-    for (int i = 0; i < 3; i++) reach[i] = absolute(s->stride[i] == 2 ? x[i] * x[i] : x[i]);
+    const lanes reach[3] = {absolute(x[0]), absolute(x[1]), absolute(x[2])};
     return (8 * s->degree + 16) * 0x1p-53 * surface_magnitude(s, reach) / absolute(slope);
 }
 
@@ -69,10 +68,8 @@ APART void tell_last_step(const algsurf_surface *s, const ray_lanes *r, const pa
 INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, const packet *k,
                    const lanes x[3], lanes slope, lanes_hit *hit) {
     lanes reach[3], end[3][PAIR], p[PAIR];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         reach[i] = absolute(x[i]) + 0x1p-30 * (absolute(r->origin[i]) + absolute(half * r->direction[i]));
-        if (s->stride[i] == 2) reach[i] *= reach[i];
-    }
     double share = (5 * s->degree + 8) * 0x1p-53 + s->error;
     lanes error = share * surface_magnitude(s, reach) + LOST_BY_UNDERFLOW;
     lanes pad = 3 * error / absolute(slope) + 0x1p-52 * absolute(hit->t),
@@ -100,11 +97,7 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
  * 8) u + 128 |step| / L times the bound on S_i. */
 APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes error,
                             lanes gradient) {
-    lanes reach[3], d = 0.125 * size;
-    for (int i = 0; i < 3; i++) {
-        reach[i] = absolute(x[i]) + d;
-        if (s->stride[i] == 2) reach[i] *= reach[i];
-    }
+    lanes d = 0.125 * size, reach[3] = {absolute(x[0]) + d, absolute(x[1]) + d, absolute(x[2]) + d};
     return ~less(error * surface_magnitude(s, reach), d * gradient);
 }
 

@@ -27,14 +27,6 @@ static int direction_of(const algsurf_ray *ray, const algsurf_hit *hit, int side
     return 1;
 }
 
-static algsurf_status check(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_hit *hit,
-                            int side, const double *start) {
-    if (!surface || !hit || !start || (side != -1 && side != 1)) return ALGSURF_E_ARGUMENT;
-    if (hit->state != ALGSURF_STATE_HIT) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(hit->position) || !algsurf_is_finite3(hit->normal)) return ALGSURF_E_NOT_FINITE;
-    return algsurf_i_ray_check(ray);
-}
-
 /* In sizes. */
 static double first_step(const algsurf_surface *surface, const double position[3], double size) {
     double value, bound, gradient[3];
@@ -53,7 +45,10 @@ static int is_beside(const algsurf_surface *surface, const double x[3], int side
 static algsurf_status leave(const algsurf_surface *given, const algsurf_ray *ray, const algsurf_hit *hit,
                             int side, double start[3]) {
     double x[3], direction[3];
-    algsurf_status status = check(given, ray, hit, side, start);
+    if (!given || !hit || !start || (side != -1 && side != 1)) return ALGSURF_E_ARGUMENT;
+    if (hit->state != ALGSURF_STATE_HIT) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(hit->position) || !algsurf_is_finite3(hit->normal)) return ALGSURF_E_NOT_FINITE;
+    algsurf_status status = algsurf_i_ray_check(ray);
     if (status != ALGSURF_OK) return status;
     const algsurf_surface *surface = algsurf_i_surface_solved(given);
     const int front = algsurf_i_surface_front(given);

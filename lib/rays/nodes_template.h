@@ -41,8 +41,10 @@ INLINE void surface_values(const algsurf_surface *s, int block, const lanes *con
     surface_scheme(s, block, 0, x, p);
 }
 
-INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes x[3]) {
-    lanes p;
+/* From sizes of coordinates. */
+INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes size[3]) {
+    lanes x[3], p;
+    for (int i = 0; i < 3; i++) x[i] = s->stride[i] == 2 ? size[i] * size[i] : size[i];
     surface_scheme(s, 1, 1, (const lanes *const[]){x, x + 1, x + 2}, &p);
     return p;
 }

@@ -66,16 +66,13 @@ static int all_good(const algsurf_ray_packet *rays) {
 
 /* Doubles or floats, not both, and no origin or direction is missing. */
 static int has_arrays(const algsurf_ray_packet *rays) {
-    int doubles = rays->t_min || rays->t_max, floats = rays->float_t_min || rays->float_t_max, missing = 0;
+    int doubles = 0, floats = 0;
     for (int k = 0; k < 3; k++) {
-        doubles |= rays->origin[k] || rays->direction[k];
-        floats |= rays->float_origin[k] || rays->float_direction[k];
+        doubles += (rays->origin[k] != NULL) + (rays->direction[k] != NULL);
+        floats += (rays->float_origin[k] != NULL) + (rays->float_direction[k] != NULL);
     }
-    for (int k = 0; k < 3; k++) {
-        missing |= floats ? !rays->float_origin[k] : !rays->origin[k];
-        missing |= floats ? !rays->float_direction[k] : !rays->direction[k];
-    }
-    return rays->count == 0 || !(missing || (doubles && floats));
+    return rays->count == 0 || (doubles == 6 && !floats && !rays->float_t_min && !rays->float_t_max) ||
+           (floats == 6 && !doubles && !rays->t_min && !rays->t_max);
 }
 
 static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {

@@ -23,20 +23,19 @@ INLINE void store_lanes(double *array, lanes a, const places *w, unsigned which)
 INLINE void store_found(const packet *k, mask opened, const lanes_hit *hit, const algsurf_hit_packet *to,
                         const places *w, unsigned which, int n, int any) {
     const unsigned found = bits(k->hit), undecided = bits(k->undecided), searched = bits(opened);
-    const lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
-    unsigned char *const state = to->state;
-    for (int l = 0; l < LANES; l++)
-        if (which >> l & 1)
-            state[w->ray[l]] = (unsigned char)(ALGSURF_LANE_HIT * (found >> l & 1) +
-                                               ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-    if (any) return;
     const unsigned below =
         bits(((negative(k->at.side) & k->hit) | (negative((words)k->b[n]) & ~k->hit)) & opened);
-    for (int l = 0; to->side && l < LANES; l++)
-        if (which >> l & 1)
-            to->side[w->ray[l]] = (signed char)((int)(searched >> l & 1) - 2 * (int)(below >> l & 1));
-    for (int l = 0; to->multiplicity && l < LANES; l++)
-        if (which >> l & 1) to->multiplicity[w->ray[l]] = found >> l & 1;
+    const lanes none = all_lanes(HUGE_VAL), zero = all_lanes(0);
+    for (int l = 0; l < LANES; l++) {
+        const size_t i = w->ray[l];
+        const int hit_here = found >> l & 1;
+        if (!(which >> l & 1)) continue;
+        to->state[i] =
+            (unsigned char)(ALGSURF_LANE_HIT * hit_here + ALGSURF_LANE_UNDECIDED * (int)(undecided >> l & 1));
+        if (to->side) to->side[i] = (signed char)((int)(searched >> l & 1) - 2 * (int)(below >> l & 1));
+        if (to->multiplicity) to->multiplicity[i] = hit_here;
+    }
+    if (any) return;
     store_lanes(to->t, choose(k->hit, hit->t, none), w, which);
     store_lanes(to->t_lo, choose(k->hit, hit->t_lo, none), w, which);
     store_lanes(to->t_hi, choose(k->hit, hit->t_hi, none), w, which);
