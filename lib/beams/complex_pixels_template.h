@@ -152,7 +152,7 @@ INLINE complex_lanes times_plus(complex_lanes a, complex_lanes z, complex_lanes 
     return (complex_lanes){c.re + b.re, c.im + b.im};
 }
 
-/* surface/complex_gradient.c, and P. */
+/* As algsurf_i_surface_gradient_complex, and P. */
 INLINE complex_jets complex_surface_jets(const algsurf_surface *s, const complex_lanes x[3]) {
     const complex_lanes zero = {all_lanes(0), all_lanes(0)};
     complex_jets p = {zero, {zero, zero, zero}};
