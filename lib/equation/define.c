@@ -10,10 +10,9 @@
 #include "../base/arithmetic.h"
 #include "parse.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef algsurf_i_parser parser;
 
 /* The place of the next ';', which is not a blank of LaTeX; or of the end. */
 static size_t statement_end(const char *text, size_t at) {
@@ -33,27 +32,16 @@ static int is_definable(const char *name, size_t length) {
     return 0;
 }
 
-/* Is a definition there, NAME = ..., ended by a ';' with more behind?  Then *found and *name become it. */
-static int definition_at(const char *text, size_t at, algsurf_i_definition *found, const char **name) {
+/* Is a definition there, NAME = ..., ended by a ';' with more behind?  Then *found becomes it. */
+static int definition_at(const char *text, size_t at, algsurf_i_definition *found) {
     at += algsurf_i_blanks(text + at);
     size_t length = algsurf_i_name_length(text + at), sign = at + length;
     sign += algsurf_i_blanks(text + sign);
     algsurf_i_token token = algsurf_i_token_at(text + sign);
     if (token.kind != '=' || !is_definable(text + at, length)) return 0;
-    *name = text + at;
-    *found = (algsurf_i_definition){sign + token.width, statement_end(text, sign)};
+    *found = (algsurf_i_definition){{text + at, NAN}, sign + token.width, statement_end(text, sign)};
     if (text[found->end] == '\0') return 0;
     return text[found->end + 1 + algsurf_i_blanks(text + found->end + 1)] != '\0';
-}
-
-static int grow(parser *p, size_t *capacity) {
-    if (p->definitions < *capacity) return 1;
-    *capacity = 2 * *capacity + 4;
-    algsurf_constant *defined = realloc(p->defined, *capacity * sizeof *defined);
-    if (defined) p->defined = defined;
-    algsurf_i_definition *definition = realloc(p->definition, *capacity * sizeof *definition);
-    if (definition) p->definition = definition;
-    return defined && definition;
 }
 
 /* Moves behind the sign that opens the equation, if one is there and none was. */
@@ -66,12 +54,15 @@ static void take_open(parser *p) {
 algsurf_status algsurf_i_definitions_find(parser *p) {
     size_t capacity = 0;
     algsurf_i_definition found;
-    const char *name;
-    for (take_open(p); definition_at(p->text, p->at, &found, &name); take_open(p)) {
+    for (take_open(p); definition_at(p->text, p->at, &found); take_open(p)) {
+        if (p->definitions == capacity) {
+            capacity = 2 * capacity + 4;
+            algsurf_i_definition *room = realloc(p->definition, capacity * sizeof *room);
+            if (!room) return ALGSURF_E_NO_MEMORY;
+            p->definition = room;
+        }
+        p->definition[p->definitions++] = found;
         p->at = found.end + 1;
-        if (!grow(p, &capacity)) return ALGSURF_E_NO_MEMORY;
-        p->definition[p->definitions] = found;
-        p->defined[p->definitions++] = (algsurf_constant){name, 0};
     }
     return ALGSURF_OK;
 }
@@ -90,9 +81,8 @@ int algsurf_i_parse_definitions(parser *p) {
     return 1;
 }
 
-int algsurf_i_parse_defined(parser *p, const algsurf_constant *name, size_t place) {
-    const algsurf_i_definition *definition = &p->definition[name - p->defined];
-    if (name >= p->defined + p->known)
+int algsurf_i_parse_defined(parser *p, const algsurf_i_definition *definition, size_t place) {
+    if (definition >= p->definition + p->known)
         return algsurf_i_parse_refuse(p, place, "this name is used before it is defined");
     p->put_in += definition->end - definition->begin;
     if (p->put_in > ALGSURF_I_PUT_IN_LIMIT)

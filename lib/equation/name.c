@@ -34,20 +34,20 @@ static size_t step(const node *tree, size_t at, int code) {
 /* Decodes the name at the start of text; constants are not known yet. */
 static algsurf_status read_letters(algsurf_i_names *names, const char *text) {
     algsurf_i_letter letter = algsurf_i_letter_at(text);
+    size_t at = 0, needed = algsurf_i_name_length(text) + 1;
     names->count = 0;
-    for (size_t at = 0;; letter = algsurf_i_name_part_at(text + at)) {
-        if (names->count == names->capacity) {
-            size_t capacity = 2 * names->capacity + 16;
-            algsurf_i_name_letter *room = realloc(names->letter, capacity * sizeof *room);
-            if (!room) return ALGSURF_E_NO_MEMORY;
-            names->letter = room;
-            names->capacity = capacity;
-        }
-        names->letter[names->count] = (algsurf_i_name_letter){at, letter.code, NULL};
-        if (letter.width == 0) return ALGSURF_OK;
-        names->count++;
+    if (needed > names->capacity) {
+        algsurf_i_name_letter *room = realloc(names->letter, needed * sizeof *room);
+        if (!room) return ALGSURF_E_NO_MEMORY;
+        names->letter = room;
+        names->capacity = needed;
+    }
+    for (; letter.width > 0; letter = algsurf_i_name_part_at(text + at)) {
+        names->letter[names->count++] = (algsurf_i_name_letter){at, letter.code, NULL};
         at += letter.width;
     }
+    names->letter[names->count] = (algsurf_i_name_letter){at, 0, NULL};
+    return ALGSURF_OK;
 }
 
 /* A name is read from its end. */
@@ -74,8 +74,7 @@ algsurf_status algsurf_i_names_add(algsurf_i_names *names, const algsurf_constan
 /* What a node falls back to is nearer to the root: the nodes are gone through by their depth. */
 void algsurf_i_names_link(algsurf_i_names *names) {
     node *tree = names->node;
-    size_t last = 0;
-    size_t at = 0;
+    size_t last = 0, at = 0;
     do {
         for (size_t child = tree[at].child; child; child = tree[child].sibling) {
             size_t fallback = at ? step(tree, tree[at].fallback, tree[child].code) : 0;

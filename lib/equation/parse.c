@@ -20,7 +20,7 @@
 #include "../base/arithmetic.h"
 #include "parse.h"
 
-typedef algsurf_i_parser parser;
+#include <math.h>
 
 int algsurf_i_parse_peek(parser *p) {
     p->at += algsurf_i_blanks(p->text + p->at);
@@ -40,11 +40,6 @@ int algsurf_i_parse_nested(parser *p, size_t offset, int (*part)(parser *)) {
     int ok = part(p);
     p->depth--;
     return ok;
-}
-
-int algsurf_i_parse_refuse_here(parser *p, const char *expected) {
-    (void)peek(p);
-    return algsurf_i_refuse_token(p, expected);
 }
 
 static const char *expected_closing(char closing) {
@@ -159,7 +154,7 @@ static int make_pi(parser *p) { return algsurf_i_parse_monomial(p, algsurf_i_mon
 
 /* The value of a name, at place, that is read. */
 static int parse_constant(parser *p, const algsurf_constant *constant, size_t place) {
-    if (algsurf_i_is_defined(p, constant)) return algsurf_i_parse_defined(p, constant, place);
+    if (isnan(constant->value)) return algsurf_i_parse_defined(p, (const void *)constant, place);
     return algsurf_i_parse_double(p, constant->value, 0);
 }
 
@@ -167,10 +162,10 @@ static int parse_constant(parser *p, const algsurf_constant *constant, size_t pl
 static int parse_letters(parser *p) {
     const algsurf_constant *constant;
     const algsurf_i_name_letter *letter = p->names.letter + p->letter;
-    size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
+    size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant), place = p->at;
     p->letter += letters;
     p->at += letter[letters].at - letter->at;
-    if (constant) return parse_constant(p, constant, p->at - (letter[letters].at - letter->at));
+    if (constant) return parse_constant(p, constant, place);
     char variable = algsurf_i_variable(letter->code);
     if (!variable) return make_pi(p);
     return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'));
@@ -305,10 +300,10 @@ static int parse_product(parser *p) {
 }
 
 int algsurf_i_parse_sum(parser *p) {
-    algsurf_i_value_sum sum = {.way = NULL};
+    value_sum sum = {.way = NULL};
     algsurf_status status = ALGSURF_OK;
     for (int sign = '+'; parse_product(p); take(p)) {
-        algsurf_i_value *product = algsurf_i_parse_top(p);
+        value *product = algsurf_i_parse_top(p);
         if (sign == '-') algsurf_i_value_negate(product);
         status = algsurf_i_value_sum_add(&sum, product);
         sign = peek(p);
@@ -316,7 +311,7 @@ int algsurf_i_parse_sum(parser *p) {
             return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&sum, status, product), p->at);
         p->values--;
     }
-    algsurf_i_value none;
+    value none;
     (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, &none);
     algsurf_i_value_free(&none);
     return 0;

@@ -13,115 +13,112 @@
 #include "../base/eft.h"
 
 /* (v +- err) 2^(256 e) x^i y^j z^k, key = i + 2^7 j + 2^14 k, i + j + k <= 64: keys of products add. */
-typedef struct algsurf_i_monomial {
+typedef struct monomial {
     algsurf_dd v;
     double err;
     int e, key;
-} algsurf_i_monomial;
+} monomial;
 
 /* Monomials by increasing key, none zero; the zero polynomial has none. */
-typedef struct algsurf_i_tripoly {
-    algsurf_i_monomial *m;
+typedef struct tripoly {
+    monomial *m;
     size_t count;
-} algsurf_i_tripoly;
+} tripoly;
 
 /* Of x, y, z: 0, 1, 2. */
 static inline int algsurf_i_key_of(int variable) { return 1 << 7 * variable; }
 static inline int algsurf_i_exponent(int key, int variable) { return key >> 7 * variable & 127; }
 
 /* v 2^exponent times the monomial of the key; err as a part of v. */
-algsurf_i_monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponent, int key);
+monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponent, int key);
 
 /* The coefficient rounded once to double: subnormal, infinite or zero as need be. */
-double algsurf_i_monomial_round(const algsurf_i_monomial *m);
+double algsurf_i_monomial_round(const monomial *m);
 
 /* Functions below that return a status fail with E_NO_MEMORY, or with E_RANGE when an exponent e
  * leaves +-2^20; then *out is untouched.  *out may not be an operand. */
-algsurf_status algsurf_i_tripoly_make(algsurf_i_monomial m, algsurf_i_tripoly *out);
-void algsurf_i_tripoly_free(algsurf_i_tripoly *p);
-void algsurf_i_tripoly_negate(algsurf_i_tripoly *p);
-int algsurf_i_tripoly_degree(const algsurf_i_tripoly *p);      /* total; 0 for the zero polynomial */
-size_t algsurf_i_tripoly_most_terms(int degree);               /* of that degree */
-int algsurf_i_tripoly_is_constant(const algsurf_i_tripoly *p); /* the zero polynomial is */
-algsurf_status algsurf_i_tripoly_add(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
-                                     algsurf_i_tripoly *out);
+algsurf_status algsurf_i_tripoly_make(monomial m, tripoly *out);
+void algsurf_i_tripoly_free(tripoly *p);
+void algsurf_i_tripoly_negate(tripoly *p);
+int algsurf_i_tripoly_degree(const tripoly *p);      /* total; 0 for the zero polynomial */
+size_t algsurf_i_tripoly_most_terms(int degree);     /* of that degree */
+int algsurf_i_tripoly_is_constant(const tripoly *p); /* the zero polynomial is */
+algsurf_status algsurf_i_tripoly_add(const tripoly *a, const tripoly *b, tripoly *out);
 
 /* The degrees of a and b must add up to at most 64.  Cost: O(log) of the smaller number of monomials, for
  * each pair of monomials. */
-algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
-                                          algsurf_i_tripoly *out);
+algsurf_status algsurf_i_tripoly_multiply(const tripoly *a, const tripoly *b, tripoly *out);
 
 /* base^n, 0 <= n <= 64, and the degree at most 64, by the binomial theorem for the first monomial and the
  * rest: each power of the rest is made once, and for independent monomials they are as large as the result
  * all together. */
-algsurf_status algsurf_i_tripoly_raise(const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out);
+algsurf_status algsurf_i_tripoly_raise(const tripoly *base, int n, tripoly *out);
 
 /* a / b in place, b a constant, not zero. */
-algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_monomial *b);
+algsurf_status algsurf_i_tripoly_divide(tripoly *a, const monomial *b);
 
 /* *m *= by; the range is not checked. */
-void algsurf_i_monomial_multiply(algsurf_i_monomial *m, const algsurf_i_monomial *by);
+void algsurf_i_monomial_multiply(monomial *m, const monomial *by);
 
 /* The square root of a constant >= 0. */
-algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m);
+monomial algsurf_i_monomial_sqrt(monomial m);
 
 /* sine.c.  sin(m + quarters pi/2), m a constant with |m| <= the limit, in radians, 0 <= quarters <= 3; and
  * pi. */
 #define ALGSURF_I_SINE_LIMIT 100
-algsurf_i_monomial algsurf_i_monomial_sine(const algsurf_i_monomial *m, int quarters);
-algsurf_i_monomial algsurf_i_monomial_pi(void);
+monomial algsurf_i_monomial_sine(const monomial *m, int quarters);
+monomial algsurf_i_monomial_pi(void);
 
 /* A sum of many polynomials: partial sums whose lengths at least halve from one to the next, so that
  * each monomial is copied O(log) times.  A polynomial has less than 2^16 monomials: 16 parts that are
  * not zero, one that is, and a new one are the most there can be. */
 enum { ALGSURF_I_SUM_PARTS = 18 };
 typedef struct algsurf_i_sum {
-    algsurf_i_tripoly part[ALGSURF_I_SUM_PARTS];
+    tripoly part[ALGSURF_I_SUM_PARTS];
     int parts;
 } algsurf_i_sum;
 
 /* Adds p and takes it over, also on failure. */
-algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p);
+algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, tripoly p);
 /* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
-algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out);
+algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, tripoly *out);
 
 /* ---- values: value.c.  Polynomials that know how they were made.
  *
  * Multiplying by (x+y+z+1)^32 term by term is 6545 steps for each term of the other factor; multiplying 32
  * times by x+y+z+1 is 128.  So a value with many more terms than its text has keeps its factors and summands.
  */
-typedef struct algsurf_i_value {
-    algsurf_i_tripoly p;
+typedef struct value {
+    tripoly p;
     struct algsurf_i_way *way; /* how it was made; null: by nothing shorter */
-} algsurf_i_value;
+} value;
 
-void algsurf_i_value_free(algsurf_i_value *v);
-void algsurf_i_value_negate(algsurf_i_value *v);
+void algsurf_i_value_free(value *v);
+void algsurf_i_value_negate(value *v);
 
 /* Functions below fail as those above do; what they change is to be freed then, too. */
 
 /* *left *= right, which is taken over.  Cost: at most the steps by which right was made of constants and
  * variables, exponents counted as repetitions, times the terms of the results. */
-algsurf_status algsurf_i_value_multiply(algsurf_i_value *left, algsurf_i_value *right);
+algsurf_status algsurf_i_value_multiply(value *left, value *right);
 
 /* *v /= b, not zero, or v^n, n >= 0. */
-algsurf_status algsurf_i_value_divide(algsurf_i_value *v, const algsurf_i_monomial *b);
-algsurf_status algsurf_i_value_raise(algsurf_i_value *v, int n);
+algsurf_status algsurf_i_value_divide(value *v, const monomial *b);
+algsurf_status algsurf_i_value_raise(value *v, int n);
 
 /* *v becomes the sum of c[i] v^i, 0 <= i <= n; the c are constants, zero or not. */
-algsurf_status algsurf_i_value_compose(algsurf_i_value *v, const algsurf_i_monomial *c, int n);
+algsurf_status algsurf_i_value_compose(value *v, const monomial *c, int n);
 
 /* A sum of many values, all 0 at first. */
-typedef struct algsurf_i_value_sum {
+typedef struct value_sum {
     algsurf_i_sum plain;       /* of values without a way */
     struct algsurf_i_way *way; /* of the others */
-} algsurf_i_value_sum;
+} value_sum;
 
 /* Adds v and takes it over. */
-algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, algsurf_i_value *v);
+algsurf_status algsurf_i_value_sum_add(value_sum *sum, value *v);
 
 /* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
-algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_status status,
-                                          algsurf_i_value *out);
+algsurf_status algsurf_i_value_sum_finish(value_sum *sum, algsurf_status status, value *out);
 
 #endif

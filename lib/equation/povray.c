@@ -8,27 +8,13 @@
 
 #include <string.h>
 
-typedef algsurf_i_parser parser;
-
 static const char SOLIDS[] = "poly quadric cubic quartic";
 enum { POLY = 1, QUADRIC, CUBIC, QUARTIC };
 
-int algsurf_i_povray_follows(parser *p) {
-    (void)algsurf_i_parse_peek(p);
-    size_t length = algsurf_i_name_length(p->text + p->at);
-    if (!algsurf_i_listed(SOLIDS, p->text + p->at, length)) return 0;
-    return p->text[p->at + length + algsurf_i_blanks(p->text + p->at + length)] == '{';
-}
-
 /* Takes what stands between coefficients. */
-static int take_separators(parser *p) {
-    int c = algsurf_i_parse_peek(p), any = 0;
-    while (c == ',' || p->text[p->at] == '<' || p->text[p->at] == '>') {
+static void take_separators(parser *p) {
+    while (algsurf_i_parse_peek(p) == ',' || p->text[p->at] == '<' || p->text[p->at] == '>')
         algsurf_i_parse_take(p);
-        c = algsurf_i_parse_peek(p);
-        any = 1;
-    }
-    return any;
 }
 
 /* The order of a poly. */
@@ -47,7 +33,7 @@ static int read_coefficient(parser *p, int key) {
     if (algsurf_i_parse_peek(p) == '}')
         return algsurf_i_parse_refuse(p, at, "too few coefficients: order n has (n+1)(n+2)(n+3)/6");
     if (!algsurf_i_parse_sum(p)) return 0;
-    algsurf_i_tripoly *c = &algsurf_i_parse_top(p)->p;
+    tripoly *c = &algsurf_i_parse_top(p)->p;
     if (!algsurf_i_tripoly_is_constant(c)) return algsurf_i_parse_refuse(p, at, "expected a constant");
     if (c->count) c->m[0].key = key;
     take_separators(p);
@@ -66,8 +52,8 @@ static int key_behind(int key, int order) {
 static int read_coefficients(parser *p, int quadric, int order) {
     enum { X = 1, Y = X << 7, Z = Y << 7 };
     static const int keys[] = {2 * X, 2 * Y, 2 * Z, X + Y, X + Z, Y + Z, X, Y, Z, 0};
-    algsurf_i_value_sum sum = {.way = NULL};
-    algsurf_i_value total;
+    value_sum sum = {.way = NULL};
+    value total;
     algsurf_status status = ALGSURF_OK;
     int key = quadric ? keys[0] : order, n = 0, ok;
     take_separators(p);
@@ -83,12 +69,14 @@ static int read_coefficients(parser *p, int quadric, int order) {
     return algsurf_i_parse_computed(p, status, p->at);
 }
 
-int algsurf_i_parse_povray(parser *p) {
-    size_t length = algsurf_i_name_length(p->text + p->at);
-    int kind = algsurf_i_listed(SOLIDS, p->text + p->at, length), order = kind == QUARTIC ? 4 : 3;
-    p->at += length;
+int algsurf_i_parse_povray(parser *p, int *is_one) {
     (void)algsurf_i_parse_peek(p);
-    algsurf_i_parse_take(p);
+    const char *name = p->text + p->at;
+    size_t length = algsurf_i_name_length(name), width = length + algsurf_i_blanks(name + length);
+    int kind = algsurf_i_listed(SOLIDS, name, length), order = kind == QUARTIC ? 4 : 3;
+    *is_one = kind && name[width] == '{';
+    if (!*is_one) return 1;
+    p->at += width + 1;
     if (kind == POLY && !read_order(p, &order)) return 0;
     if (!read_coefficients(p, kind == QUADRIC, order)) return 0;
     length = algsurf_i_name_length(p->text + p->at);

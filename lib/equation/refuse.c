@@ -4,8 +4,6 @@
 
 #include "parse.h"
 
-typedef algsurf_i_parser parser;
-
 int algsurf_i_parse_fail(parser *p, algsurf_status status, size_t offset, const char *message) {
     p->status = status;
     p->error = (algsurf_parse_error){offset, 0, message};
@@ -153,7 +151,8 @@ static const char *about_token(const parser *p, const char *expected) {
     return algsurf_i_number_follows(text) ? A_NUMBER : expected;
 }
 
-int algsurf_i_refuse_token(parser *p, const char *expected) {
+int algsurf_i_parse_refuse_here(parser *p, const char *expected) {
+    (void)algsurf_i_parse_peek(p);
     return algsurf_i_parse_refuse(p, p->at, about_token(p, expected));
 }
 

@@ -18,28 +18,24 @@ static const double legendre_error = 0x1p-90;
 
 /* ---- what the text says ---- */
 
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/* Reads an index, at most 1000; returns what is behind it, or null if none is there. */
-static const char *read_index(const char *text, int *index) {
+/* Reads an index, at most 1000, whose digits stand behind these bytes each; returns what is behind it, or
+ * null if none is there. */
+static const char *read_index(const char *text, const char *before, char zero, int *index) {
     const char *start = text;
-    for (*index = 0; is_digit(*text); text++) *index = *index < 100 ? 10 * *index + (*text - '0') : 1000;
+    const size_t skipped = strlen(before);
+    for (*index = 0; strncmp(text, before, skipped) == 0; text += skipped + 1) {
+        const int digit = (unsigned char)text[skipped] - (unsigned char)zero;
+        if (digit < 0 || digit > 9) break;
+        *index = *index < 100 ? 10 * *index + digit : 1000;
+    }
     return text > start ? text : NULL;
 }
 
 /* An index below the line: _6, _{6}, or the signs of Unicode for that. */
 static const char *read_low_index(const char *text, int *index) {
-    if (text[0] != '_') {
-        const char *start = text;
-        for (*index = 0; text[0] == '\xe2' && text[1] == '\x82'; text += 3) {
-            int digit = (unsigned char)text[2] - 0x80;
-            if (digit < 0 || digit > 9) break;
-            *index = *index < 100 ? 10 * *index + digit : 1000;
-        }
-        return text > start ? text : NULL;
-    }
+    if (text[0] != '_') return read_index(text, "\xe2\x82", '\x80', index);
     int braced = text[1] == '{';
-    text = read_index(text + 1 + braced, index);
+    text = read_index(text + 1 + braced, "", '0', index);
     if (!braced) return text;
     return text && *text == '}' ? text + 1 : NULL;
 }
@@ -62,7 +58,7 @@ int algsurf_i_series_follows(const char *text, algsurf_i_series_head *head) {
     head->bracket = *at++;
     if (head->bracket != '(' && head->bracket != '[') return 0;
     if (word) {
-        at = read_index(at + algsurf_i_blanks(at), &head->index);
+        at = read_index(at + algsurf_i_blanks(at), "", '0', &head->index);
         if (!at) return 0;
         at += algsurf_i_blanks(at);
         if (*at++ != ',') return 0;
@@ -104,14 +100,14 @@ static void legendre(int n, algsurf_dd c[]) {
     }
 }
 
-int algsurf_i_parse_series(algsurf_i_parser *p, const algsurf_i_series_head *head, size_t offset) {
-    algsurf_i_value *v = algsurf_i_parse_top(p);
+int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head, size_t offset) {
+    value *v = algsurf_i_parse_top(p);
     int n = head->index;
     if (n > 0 && algsurf_i_tripoly_degree(&v->p) * n > ALGSURF_MAX_DEGREE)
         return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this polynomial is above 64");
     if (n > ALGSURF_MAX_DEGREE) return algsurf_i_parse_refuse(p, offset, "expected an index up to 64");
     algsurf_dd c[ALGSURF_MAX_DEGREE + 1] = {{0, 0}};
-    algsurf_i_monomial term[ALGSURF_MAX_DEGREE + 1];
+    monomial term[ALGSURF_MAX_DEGREE + 1];
     if (head->kind == KIND_P)
         legendre(n, c);
     else

@@ -21,7 +21,7 @@ static const algsurf_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 static const double sine_error = 0x1p-94;
 static const double left_out = 0x1p-110;
 
-algsurf_i_monomial algsurf_i_monomial_pi(void) {
+monomial algsurf_i_monomial_pi(void) {
     algsurf_dd pi = algsurf_dd_scale(half_pi, 2);
     return algsurf_i_monomial_make(pi, ALGSURF_DD_U * pi.hi, 0, 0);
 }
@@ -38,21 +38,21 @@ static algsurf_dd series(algsurf_dd r, int odd) {
 }
 
 /* Of |x| < 2^-128: x, or 1, up to x^2. */
-static algsurf_i_monomial small(const algsurf_i_monomial *m, int quarters) {
-    algsurf_i_monomial value = *m;
-    value.err += left_out * fabs(m->v.hi);
-    algsurf_i_monomial one = algsurf_i_monomial_make(algsurf_dd_from(1), m->v.hi != 0 ? left_out : 0, 0, 0);
-    if (quarters >= 2) value.v = algsurf_dd_neg(value.v), one.v = algsurf_dd_neg(one.v);
-    return quarters % 2 == 0 ? value : one;
+static monomial small(const monomial *m, int quarters) {
+    monomial sine = *m;
+    sine.err += left_out * fabs(m->v.hi);
+    monomial one = algsurf_i_monomial_make(algsurf_dd_from(1), m->v.hi != 0 ? left_out : 0, 0, 0);
+    if (quarters >= 2) sine.v = algsurf_dd_neg(sine.v), one.v = algsurf_dd_neg(one.v);
+    return quarters % 2 == 0 ? sine : one;
 }
 
-algsurf_i_monomial algsurf_i_monomial_sine(const algsurf_i_monomial *m, int quarters) {
+monomial algsurf_i_monomial_sine(const monomial *m, int quarters) {
     if (m->v.hi == 0 || m->e < 0) return small(m, quarters);
     double k = rint(m->v.hi / half_pi.hi);
     algsurf_dd r = algsurf_dd_sub(m->v, algsurf_dd_mul_d(half_pi, k));
     int turn = ((int)k + quarters) & 3;
-    algsurf_dd value = series(r, turn % 2 == 0);
-    if (turn >= 2) value = algsurf_dd_neg(value);
-    double err = m->err + sine_error * (k == 0 ? fabs(value.hi) : 1); /* r is exact then */
-    return algsurf_i_monomial_make(value, err, 0, 0);
+    algsurf_dd sine = series(r, turn % 2 == 0);
+    if (turn >= 2) sine = algsurf_dd_neg(sine);
+    double err = m->err + sine_error * (k == 0 ? fabs(sine.hi) : 1); /* r is exact then */
+    return algsurf_i_monomial_make(sine, err, 0, 0);
 }

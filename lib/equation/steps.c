@@ -7,16 +7,13 @@
 
 enum { EXPONENT_LIMIT = 64 };
 
-typedef algsurf_i_parser parser;
-typedef algsurf_i_value value;
-
 int algsurf_i_parse_computed(parser *p, algsurf_status status, size_t offset) {
     if (status == ALGSURF_OK) return 1;
     return algsurf_i_parse_fail(p, status, offset,
                                 status == ALGSURF_E_RANGE ? "a constant leaves the range of numbers" : NULL);
 }
 
-int algsurf_i_parse_monomial(parser *p, algsurf_i_monomial m, size_t offset) {
+int algsurf_i_parse_monomial(parser *p, monomial m, size_t offset) {
     value v = {{NULL, 0}, NULL};
     algsurf_status status = algsurf_i_tripoly_make(m, &v.p);
     p->value[p->values++] = v;
@@ -34,7 +31,7 @@ int algsurf_i_parse_number(parser *p) {
     if (reading == ALGSURF_I_NUMBER) {
         /* Exact when it fits a double, the rule for numbers people type. */
         double err = n.v.lo == 0 ? 0.0 : ALGSURF_DD_U * n.v.hi;
-        algsurf_i_monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
+        monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
         p->at += length;
         if (isfinite(algsurf_i_monomial_round(&m))) return algsurf_i_parse_monomial(p, m, at);
     }
@@ -42,7 +39,7 @@ int algsurf_i_parse_number(parser *p) {
 }
 
 int algsurf_i_parse_subtract(parser *p, size_t offset) {
-    algsurf_i_value_sum difference = {.way = NULL};
+    value_sum difference = {.way = NULL};
     value *right = algsurf_i_parse_top(p), *left = right - 1;
     algsurf_i_value_negate(right);
     algsurf_status status = algsurf_i_value_sum_add(&difference, left);
@@ -60,17 +57,17 @@ int algsurf_i_parse_multiply(parser *p, size_t offset) {
 }
 
 /* Is the last value a constant?  *m becomes it, and it leaves the stack. */
-static int take_constant(parser *p, algsurf_i_monomial *m) {
+static int take_constant(parser *p, monomial *m) {
     value *v = algsurf_i_parse_top(p);
     int constant = algsurf_i_tripoly_is_constant(&v->p);
-    *m = constant && v->p.count ? v->p.m[0] : (algsurf_i_monomial){{0.0, 0.0}, 0.0, 0, 0};
+    *m = constant && v->p.count ? v->p.m[0] : (monomial){{0.0, 0.0}, 0.0, 0, 0};
     algsurf_i_value_free(v);
     p->values--;
     return constant;
 }
 
 int algsurf_i_parse_divide(parser *p, size_t offset, size_t divisor) {
-    algsurf_i_monomial m;
+    monomial m;
     int constant = take_constant(p, &m);
     if (constant && m.v.hi != 0)
         return algsurf_i_parse_computed(p, algsurf_i_value_divide(algsurf_i_parse_top(p), &m), offset);
@@ -80,7 +77,7 @@ int algsurf_i_parse_divide(parser *p, size_t offset, size_t divisor) {
 }
 
 /* Is m, within its error bound, a whole number of magnitude up to 1000? */
-static int is_whole(const algsurf_i_monomial *m, int *n) {
+static int is_whole(const monomial *m, int *n) {
     *n = 0;
     if (m->v.hi == 0) return 1;
     if (m->e < -1) return 0;
@@ -101,15 +98,14 @@ int algsurf_i_parse_raise(parser *p, size_t offset, size_t place, int n) {
         return algsurf_i_parse_refuse(p, place, "not a polynomial: x, y or z to a negative power");
     if (!algsurf_i_parse_computed(p, algsurf_i_value_raise(base, abs(n)), offset)) return 0;
     if (n >= 0) return 1;
-    base[1] = base[0]; /* one over it */
-    p->values--;
-    int ok = algsurf_i_parse_double(p, 1, 0);
-    p->values++;
-    return ok && algsurf_i_parse_divide(p, offset, offset);
+    if (!algsurf_i_parse_double(p, 1, 0)) return 0;
+    value one = base[1];
+    base[1] = base[0], base[0] = one;
+    return algsurf_i_parse_divide(p, offset, offset);
 }
 
 int algsurf_i_parse_power(parser *p, size_t offset, size_t place) {
-    algsurf_i_monomial m;
+    monomial m;
     int n, constant = take_constant(p, &m);
     if (constant && is_whole(&m, &n)) return algsurf_i_parse_raise(p, offset, place, n);
     int roots = algsurf_i_tripoly_is_constant(&algsurf_i_parse_top(p)->p);
@@ -121,7 +117,7 @@ int algsurf_i_parse_power(parser *p, size_t offset, size_t place) {
 }
 
 int algsurf_i_parse_root(parser *p, size_t offset) {
-    algsurf_i_monomial m;
+    monomial m;
     if (!take_constant(p, &m))
         return algsurf_i_parse_refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
     if (m.v.hi < 0) return algsurf_i_parse_refuse(p, offset, "the root of a negative number");
@@ -129,7 +125,7 @@ int algsurf_i_parse_root(parser *p, size_t offset) {
 }
 
 int algsurf_i_parse_sine(parser *p, size_t offset, int quarters) {
-    algsurf_i_monomial m;
+    monomial m;
     if (!take_constant(p, &m)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
         return algsurf_i_parse_refuse(p, offset, "sin and cos take at most 100 radians");

@@ -14,8 +14,6 @@
 
 #include <string.h>
 
-typedef algsurf_i_parser parser;
-
 /* Takes the signs that close the equation, where some opened it. */
 static void take_closing(parser *p) {
     (void)algsurf_i_parse_peek(p);
@@ -80,9 +78,9 @@ static int parse_head(parser *p, int *named) {
 }
 
 int algsurf_i_parse_equation(parser *p) {
-    int named;
-    if (!algsurf_i_parse_definitions(p)) return 0;
-    if (algsurf_i_povray_follows(p)) return algsurf_i_parse_povray(p) && parse_end(p, 1);
+    int solid, named;
+    if (!algsurf_i_parse_definitions(p) || !algsurf_i_parse_povray(p, &solid)) return 0;
+    if (solid) return parse_end(p, 1);
     if (!parse_head(p, &named)) return 0;
     int equals = !named && algsurf_i_parse_peek(p) == '=';
     if (equals) algsurf_i_parse_take(p);

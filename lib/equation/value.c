@@ -16,13 +16,11 @@
 
 enum { FEW_TERMS = 32 }; /* not worth a way */
 
-typedef algsurf_i_value value;
-
 /* The sum of the parts, their product raised to the power, or a series in the only part; then times a
  * monomial. */
 typedef struct algsurf_i_way {
     int is_sum, power;
-    algsurf_i_monomial scale, *series; /* coefficients up to the power; null: no series */
+    monomial scale, *series; /* coefficients up to the power; null: no series */
     size_t weight, count, capacity;
     value *part;        /* those with a way have no polynomial */
     algsurf_i_sum made; /* of parts with a way, as long as there may be more */
@@ -47,7 +45,7 @@ void algsurf_i_value_negate(value *v) {
     if (v->way) v->way->scale.v = algsurf_dd_neg(v->way->scale.v);
 }
 
-static const algsurf_i_monomial one = {{1.0, 0.0}, 0.0, 0, 0};
+static const monomial one = {{1.0, 0.0}, 0.0, 0, 0};
 
 /* Appends the value to the parts of *w, which is made if it is null, and takes it over; times: how often a
  * polynomial is multiplied by it. */
@@ -79,24 +77,24 @@ static void weigh(value *v) {
     v->way = NULL;
 }
 
-static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out);
+static algsurf_status by_way(const way *w, const tripoly *a, tripoly *out);
 
 /* a times the value as it was made. */
-static algsurf_status times(const algsurf_i_tripoly *a, const value *v, algsurf_i_tripoly *out) {
+static algsurf_status times(const tripoly *a, const value *v, tripoly *out) {
     return v->way ? by_way(v->way, a, out) : algsurf_i_tripoly_multiply(a, &v->p, out);
 }
 
 /* By Horner's rule. */
-static algsurf_status by_series(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly last = {NULL, 0};
+static algsurf_status by_series(const way *w, const tripoly *a, tripoly *out) {
+    tripoly last = {NULL, 0};
     algsurf_status status = ALGSURF_OK;
     for (int i = w->power; status == ALGSURF_OK && i >= 0; i--) {
-        algsurf_i_tripoly next = {NULL, 0}, term = {NULL, 0}, c = {&w->series[i], w->series[i].v.hi != 0};
+        tripoly next = {NULL, 0}, term = {NULL, 0}, c = {&w->series[i], w->series[i].v.hi != 0};
         if (last.count > 0) status = times(&last, &w->part[0], &next);
         algsurf_i_tripoly_free(&last);
         if (status == ALGSURF_OK) status = algsurf_i_tripoly_multiply(a, &c, &term);
         if (status == ALGSURF_OK && next.count > 0) status = algsurf_i_tripoly_add(&next, &term, &last);
-        if (status == ALGSURF_OK && next.count == 0) last = term, term = (algsurf_i_tripoly){NULL, 0};
+        if (status == ALGSURF_OK && next.count == 0) last = term, term = (tripoly){NULL, 0};
         algsurf_i_tripoly_free(&next);
         algsurf_i_tripoly_free(&term);
     }
@@ -104,9 +102,9 @@ static algsurf_status by_series(const way *w, const algsurf_i_tripoly *a, algsur
     return status;
 }
 
-static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out) {
-    algsurf_i_monomial scale = w->scale;
-    algsurf_i_tripoly by = {&scale, 1}, last, next;
+static algsurf_status by_way(const way *w, const tripoly *a, tripoly *out) {
+    monomial scale = w->scale;
+    tripoly by = {&scale, 1}, last, next;
     algsurf_i_sum sum = {.parts = 0};
     algsurf_status status = algsurf_i_tripoly_multiply(a, &by, &last);
     if (status != ALGSURF_OK) return status;
@@ -132,7 +130,7 @@ static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i
 }
 
 /* Takes *by, a value of one term, into the way of the product, which is that of *of. */
-static void take_scale(value *product, value *of, const algsurf_i_monomial *by) {
+static void take_scale(value *product, value *of, const monomial *by) {
     product->way = of->way;
     of->way = NULL;
     if (product->way) algsurf_i_monomial_multiply(&product->way->scale, by);
@@ -151,7 +149,7 @@ static algsurf_status take_factors(value *product, value *left, value *right) {
 }
 
 algsurf_status algsurf_i_value_multiply(value *left, value *right) {
-    const algsurf_i_tripoly *a = &left->p, *b = &right->p;
+    const tripoly *a = &left->p, *b = &right->p;
     size_t most = algsurf_i_tripoly_most_terms(algsurf_i_tripoly_degree(a) + algsurf_i_tripoly_degree(b));
     int direct = !right->way || a->count * b->count <= weight_of(right) * most;
     value product = {{NULL, 0}, NULL};
@@ -171,9 +169,9 @@ algsurf_status algsurf_i_value_multiply(value *left, value *right) {
     return status;
 }
 
-algsurf_status algsurf_i_value_divide(value *v, const algsurf_i_monomial *b) {
-    algsurf_i_monomial scale = one;
-    algsurf_i_tripoly inverse = {&scale, 1};
+algsurf_status algsurf_i_value_divide(value *v, const monomial *b) {
+    monomial scale = one;
+    tripoly inverse = {&scale, 1};
     algsurf_status status = algsurf_i_tripoly_divide(&v->p, b);
     if (status == ALGSURF_OK && v->way) status = algsurf_i_tripoly_divide(&inverse, b);
     if (status == ALGSURF_OK && v->way) algsurf_i_monomial_multiply(&v->way->scale, &scale);
@@ -182,8 +180,8 @@ algsurf_status algsurf_i_value_divide(value *v, const algsurf_i_monomial *b) {
 
 algsurf_status algsurf_i_value_raise(value *v, int n) {
     value power = {{NULL, 0}, NULL};
-    algsurf_i_monomial factor = one;
-    algsurf_i_tripoly unit = {&factor, 1};
+    monomial factor = one;
+    tripoly unit = {&factor, 1};
     algsurf_status status = ALGSURF_OK;
     if (n == 1) return ALGSURF_OK;
     if (!v->way || n == 0) status = algsurf_i_tripoly_raise(&v->p, n, &power.p);
@@ -195,10 +193,10 @@ algsurf_status algsurf_i_value_raise(value *v, int n) {
     return status;
 }
 
-algsurf_status algsurf_i_value_compose(value *v, const algsurf_i_monomial *c, int n) {
+algsurf_status algsurf_i_value_compose(value *v, const monomial *c, int n) {
     value composed = {{NULL, 0}, NULL};
-    algsurf_i_monomial factor = one;
-    algsurf_i_tripoly unit = {&factor, 1};
+    monomial factor = one;
+    tripoly unit = {&factor, 1};
     size_t bytes = ((size_t)n + 1) * sizeof *c;
     algsurf_status status = remember(&composed.way, 0, v, n);
     if (status == ALGSURF_OK && !(composed.way->series = malloc(bytes))) status = ALGSURF_E_NO_MEMORY;
@@ -212,9 +210,9 @@ algsurf_status algsurf_i_value_compose(value *v, const algsurf_i_monomial *c, in
     return status;
 }
 
-algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, value *v) {
-    algsurf_i_tripoly p = v->p;
-    v->p = (algsurf_i_tripoly){NULL, 0};
+algsurf_status algsurf_i_value_sum_add(value_sum *sum, value *v) {
+    tripoly p = v->p;
+    v->p = (tripoly){NULL, 0};
     if (!v->way) return algsurf_i_sum_add(&sum->plain, p);
     algsurf_status status = remember(&sum->way, 1, v, 1);
     if (status == ALGSURF_OK) return algsurf_i_sum_add(&sum->way->made, p);
@@ -222,9 +220,9 @@ algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, value *v) {
     return status;
 }
 
-algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_status status, value *out) {
+algsurf_status algsurf_i_value_sum_finish(value_sum *sum, algsurf_status status, value *out) {
     value plain = {{NULL, 0}, NULL}, total = {{NULL, 0}, sum->way};
-    algsurf_i_tripoly made = {NULL, 0};
+    tripoly made = {NULL, 0};
     status = algsurf_i_sum_finish(&sum->plain, status, &plain.p);
     if (total.way) status = algsurf_i_sum_finish(&total.way->made, status, &made);
     if (status == ALGSURF_OK) status = algsurf_i_tripoly_add(&plain.p, &made, &total.p);
