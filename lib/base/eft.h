@@ -108,8 +108,4 @@ static inline double algsurf_multiply_add(double a, double b, double c) {
     return ldexp(algsurf_dd_add_d(product, ldexp(c, -top)).hi, top);
 }
 
-static inline int algsurf_dd_sign(algsurf_dd a) {
-    return (a.hi > 0) - (a.hi < 0) + (a.hi == 0) * ((a.lo > 0) - (a.lo < 0));
-}
-
 #endif

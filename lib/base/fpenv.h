@@ -104,13 +104,19 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) { (void)feset
         algsurf_fpenv_leave(&caller_environment);                                                            \
     } while (0)
 
-/* Defines the public function algsurf_<name>(parameters), which returns work(arguments). */
-#define ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)                                            \
-    static ALGSURF_NOINLINE type bracketed_##name parameters { return work arguments; }                      \
+/* Begins the definition of the public function algsurf_<name>(parameters): its body, which comes next, runs
+ * in the standard environment. */
+#define ALGSURF_I_ENTRY(type, name, parameters, arguments)                                                   \
+    static ALGSURF_NOINLINE type bracketed_##name parameters;                                                \
     type algsurf_##name parameters {                                                                         \
         type in_standard_environment;                                                                        \
         ALGSURF_STANDARD(in_standard_environment = bracketed_##name arguments);                              \
         return in_standard_environment;                                                                      \
-    }
+    }                                                                                                        \
+    static ALGSURF_NOINLINE type bracketed_##name parameters
+
+/* The same where the body is a function: it returns work(arguments). */
+#define ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)                                            \
+    ALGSURF_I_ENTRY(type, name, parameters, arguments) { return work arguments; }
 
 #endif

@@ -126,8 +126,10 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
     return status;
 }
 
-static algsurf_status render(const algsurf_scene *scene, const algsurf_render_options *options,
-                             const algsurf_picture *planes, algsurf_render_stats *stats) {
+ALGSURF_I_ENTRY(algsurf_status, render,
+                (const algsurf_scene *scene, const algsurf_render_options *options,
+                 const algsurf_picture *planes, algsurf_render_stats *stats),
+                (scene, options, planes, stats)) {
     algsurf_i_geometry geometry;
     algsurf_i_picture picture = {.geometry = &geometry, .timed = stats != NULL};
     double begun = algsurf_i_render_clock(&picture);
@@ -146,8 +148,3 @@ static algsurf_status render(const algsurf_scene *scene, const algsurf_render_op
     algsurf_options_write(stats, &total.stats, sizeof total.stats);
     return status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, render, render,
-                 (const algsurf_scene *scene, const algsurf_render_options *options,
-                  const algsurf_picture *picture, algsurf_render_stats *stats),
-                 (scene, options, picture, stats))

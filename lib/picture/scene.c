@@ -51,12 +51,8 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
 
 void algsurf_scene_free(algsurf_scene *scene) { free(scene); }
 
-/* algsurf_scene_set_<part>, by set_<part>. */
-#define SETTER(part, type)                                                                                   \
-    ALGSURF_I_PUBLIC(algsurf_status, scene_set_##part, set_##part, (algsurf_scene * scene, type value),      \
-                     (scene, value))
-
-static algsurf_status set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_extent, (algsurf_scene * scene, const algsurf_extent *extent),
+                (scene, extent)) {
     static const algsurf_extent all_of_space = {.kind = ALGSURF_EXTENT_ALL};
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_extent_check(extent);
@@ -64,18 +60,16 @@ static algsurf_status set_extent(algsurf_scene *scene, const algsurf_extent *ext
     return status;
 }
 
-SETTER(extent, const algsurf_extent *)
-
-static algsurf_status set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_camera, (algsurf_scene * scene, const algsurf_camera *camera),
+                (scene, camera)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_camera_check(camera);
     if (status == ALGSURF_OK) scene->camera = *camera;
     return status;
 }
 
-SETTER(camera, const algsurf_camera *)
-
-static algsurf_status set_material(algsurf_scene *scene, const algsurf_material *material) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_material, (algsurf_scene * scene, const algsurf_material *material),
+                (scene, material)) {
     algsurf_material known;
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_material_read(material, &known);
@@ -83,9 +77,8 @@ static algsurf_status set_material(algsurf_scene *scene, const algsurf_material 
     return status;
 }
 
-SETTER(material, const algsurf_material *)
-
-static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *lights, size_t count) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_lights,
+                (algsurf_scene * scene, const algsurf_light *lights, size_t count), (scene, lights, count)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_lights_check(lights, count);
     if (status != ALGSURF_OK) return status;
@@ -94,9 +87,6 @@ static algsurf_status set_lights(algsurf_scene *scene, const algsurf_light *ligh
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_lights, set_lights,
-                 (algsurf_scene * scene, const algsurf_light *lights, size_t count), (scene, lights, count))
-
 /* A copy of a colour, black for null. */
 static algsurf_status copy_colour(const double colour[3], double copy[3]) {
     algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
@@ -104,25 +94,21 @@ static algsurf_status copy_colour(const double colour[3], double copy[3]) {
     return status;
 }
 
-static algsurf_status set_background(algsurf_scene *scene, const double colour[3]) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_background, (algsurf_scene * scene, const double colour[3]),
+                (scene, colour)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = copy_colour(colour, scene->background);
     if (status == ALGSURF_OK) scene->transparent = !colour;
     return status;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_background, set_background,
-                 (algsurf_scene * scene, const double colour[3]), (scene, colour))
-
-static algsurf_status set_thin(algsurf_scene *scene, const double colour[3]) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_thin, (algsurf_scene * scene, const double colour[3]),
+                (scene, colour)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = copy_colour(colour, scene->thin_colour);
     if (status == ALGSURF_OK) scene->thin = colour != NULL;
     return status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_thin, set_thin, (algsurf_scene * scene, const double colour[3]),
-                 (scene, colour))
 
 algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality) {
     if (!scene || (quality != ALGSURF_QUALITY_PREVIEW && quality != ALGSURF_QUALITY_STANDARD &&
@@ -138,16 +124,16 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
     return ALGSURF_OK;
 }
 
-static algsurf_status set_antialias_threshold(algsurf_scene *scene, double threshold) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_antialias_threshold, (algsurf_scene * scene, double threshold),
+                (scene, threshold)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_check_number(threshold, threshold >= 0 && threshold <= 1);
     if (status == ALGSURF_OK) scene->antialias_threshold = threshold;
     return status;
 }
 
-SETTER(antialias_threshold, double)
-
-static algsurf_status set_intersect_options(algsurf_scene *scene, const algsurf_intersect_options *options) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_intersect_options,
+                (algsurf_scene * scene, const algsurf_intersect_options *options), (scene, options)) {
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
@@ -160,9 +146,8 @@ static algsurf_status set_intersect_options(algsurf_scene *scene, const algsurf_
     return ALGSURF_OK;
 }
 
-SETTER(intersect_options, const algsurf_intersect_options *)
-
-static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_clip,
+                (algsurf_scene * scene, const algsurf_plane *planes, size_t count), (scene, planes, count)) {
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_planes_check(planes, count);
     if (status != ALGSURF_OK) return status;
@@ -171,9 +156,6 @@ static algsurf_status set_clip(algsurf_scene *scene, const algsurf_plane *planes
     scene->intersect.plane_count = count;
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, scene_set_clip, set_clip,
-                 (algsurf_scene * scene, const algsurf_plane *planes, size_t count), (scene, planes, count))
 
 /* Takes the imaginary parts that play a part from the caller. */
 static void copy_imaginary(algsurf_scene *scene) {
@@ -184,7 +166,8 @@ static void copy_imaginary(algsurf_scene *scene) {
 }
 
 /* The checks are those of the function that will get it, made on a ray without points. */
-static algsurf_status set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
+ALGSURF_I_ENTRY(algsurf_status, scene_set_complex_space,
+                (algsurf_scene * scene, const algsurf_complex_space *space), (scene, space)) {
     const algsurf_ray nothing = {{0, 0, 0}, {1, 0, 0}, 1, 0};
     algsurf_hit miss;
     if (!scene) return ALGSURF_E_ARGUMENT;
@@ -199,8 +182,6 @@ static algsurf_status set_complex_space(algsurf_scene *scene, const algsurf_comp
     scene->surface = space ? scene->given : algsurf_i_surface_solved(scene->given);
     return ALGSURF_OK;
 }
-
-SETTER(complex_space, const algsurf_complex_space *)
 
 algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence) {
     if (!scene || (coherence != ALGSURF_COHERENCE_NONE && coherence != ALGSURF_COHERENCE_NEIGHBOURS))
@@ -257,8 +238,10 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
     if (scene->light_count < 0) default_light(&scene->camera, lighting->centre, lighting->radius, lights);
 }
 
-static algsurf_status give_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
-                                    algsurf_lighting *lighting) {
+ALGSURF_I_ENTRY(algsurf_status, scene_get_lighting,
+                (const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                 algsurf_lighting *lighting),
+                (scene, lights, lighting)) {
     algsurf_lighting ours;
     if (!scene || !lights || !lighting) return ALGSURF_E_ARGUMENT;
     if (!algsurf_options_fit(lighting, sizeof ours)) return ALGSURF_E_SIZE;
@@ -266,8 +249,3 @@ static algsurf_status give_lighting(const algsurf_scene *scene, algsurf_light li
     algsurf_options_write(lighting, &ours, sizeof ours);
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, scene_get_lighting, give_lighting,
-                 (const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
-                  algsurf_lighting *lighting),
-                 (scene, lights, lighting))

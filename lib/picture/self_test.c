@@ -252,7 +252,7 @@ static algsurf_status all_agree(const problem *p, answers *plain, answers *other
     return status != ALGSURF_OK || same ? status : ALGSURF_E_BUILD;
 }
 
-static algsurf_status self_test(void) {
+ALGSURF_I_ENTRY(algsurf_status, self_test, (void), ()) {
     problem p = {.surface = NULL};
     if (!all_round()) return ALGSURF_E_BUILD;
     answers *room = malloc(2 * sizeof *room);
@@ -264,5 +264,3 @@ static algsurf_status self_test(void) {
     algsurf_surface_free(p.surface);
     return status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, self_test, self_test, (void), ())

@@ -115,7 +115,8 @@ void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position
 
 /* ---- the public functions ---- */
 
-static algsurf_status sample(const algsurf_light *light, int a, int b, double position[3]) {
+ALGSURF_I_ENTRY(algsurf_status, light_sample, (const algsurf_light *light, int a, int b, double position[3]),
+                (light, a, b, position)) {
     double place[2], made[3];
     algsurf_status status = check_light(light);
     if (status != ALGSURF_OK) return status;
@@ -128,9 +129,6 @@ static algsurf_status sample(const algsurf_light *light, int a, int b, double po
     for (int i = 0; i < 3; i++) position[i] = made[i];
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, light_sample, sample,
-                 (const algsurf_light *light, int a, int b, double position[3]), (light, a, b, position))
 
 static int is_unit(const double v[3]) { return fabs(algsurf_dot(v, v) - 1) <= UNIT_SLACK; }
 

@@ -53,21 +53,17 @@ static double light_of(unsigned char byte) {
     return shown <= 0.04045 ? shown / 12.92 : algsurf_i_pow((shown + 0.055) / 1.055, 2.4);
 }
 
-static algsurf_status encode(const double colour[3], unsigned char bytes[3]) {
+ALGSURF_I_ENTRY(algsurf_status, srgb_encode, (const double colour[3], unsigned char bytes[3]),
+                (colour, bytes)) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(colour)) return ALGSURF_E_NOT_FINITE;
     for (int k = 0; k < 3; k++) bytes[k] = byte_of(colour[k]);
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, srgb_encode, encode, (const double colour[3], unsigned char bytes[3]),
-                 (colour, bytes))
-
-static algsurf_status decode(const unsigned char bytes[3], double colour[3]) {
+ALGSURF_I_ENTRY(algsurf_status, srgb_decode, (const unsigned char bytes[3], double colour[3]),
+                (bytes, colour)) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k < 3; k++) colour[k] = light_of(bytes[k]);
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, srgb_decode, decode, (const unsigned char bytes[3], double colour[3]),
-                 (bytes, colour))

@@ -197,65 +197,49 @@ int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double poin
     return algsurf_max_abs(gradient) > ALGSURF_I_CLEAR * bound;
 }
 
-static bounded to_caller(double value, double bound, int exponent) {
-    return (bounded){ldexp(value, exponent), ldexp(bound, exponent) + 0x1p-1073};
-}
-
-static int is_finite(bounded b) { return isfinite(b.value) && isfinite(b.bound); }
-
-static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double point[3]) {
+/* of[0] the value; with `gradient` of[1..3] the gradient.  Returns whether all are finite. */
+static int evaluate(const algsurf_surface *s, const double point[3], int gradient, bounded of[4]) {
+    const int count = gradient ? 4 : 1;
     double x[3];
-    if (to_natural(s, point, x)) {
-        jet m = magnitudes(s, x);
-        if (in_range(s, x, m.v)) {
-            return to_caller(scheme(s, x[0], x[1], x[2], 0, 0).v, bound_factor(s) * m.v, -s->scale);
+    jet m = {0.0, 0.0, 0.0, 0.0};
+    int natural = to_natural(s, point, x);
+    if (natural) m = magnitudes(s, x);
+    if (natural && in_range(s, x, m.v) && (!gradient || in_range(s, x, m.x + m.y + m.z))) {
+        const jet p = gradient ? value_and_gradient(s, x) : scheme(s, x[0], x[1], x[2], 0, 0);
+        const double value[4] = {p.v, p.x, p.y, p.z}, magnitude[4] = {m.v, m.x, m.y, m.z};
+        for (int i = 0; i < count; i++) {
+            const int exponent = -s->scale - (i > 0 ? s->unit : 0);
+            of[i].value = ldexp(value[i], exponent);
+            of[i].bound = ldexp(bound_factor(s) * magnitude[i], exponent) + 0x1p-1073;
         }
+    } else {
+        for (int i = 0; i < count; i++) of[i] = wide_sum(s, point, i - 1);
     }
-    return wide_sum(s, point, -1);
+    for (int i = 0; i < count; i++)
+        if (!isfinite(of[i].value) || !isfinite(of[i].bound)) return 0;
+    return 1;
 }
 
-/* of[0] the value, of[1..3] the gradient. */
-static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double point[3], bounded of[4]) {
-    double x[3];
-    if (to_natural(s, point, x)) {
-        jet m = magnitudes(s, x);
-        if (in_range(s, x, m.v) && in_range(s, x, m.x + m.y + m.z)) {
-            jet p = value_and_gradient(s, x);
-            double factor = bound_factor(s);
-            of[0] = to_caller(p.v, factor * m.v, -s->scale);
-            of[1] = to_caller(p.x, factor * m.x, -s->scale - s->unit);
-            of[2] = to_caller(p.y, factor * m.y, -s->scale - s->unit);
-            of[3] = to_caller(p.z, factor * m.z, -s->scale - s->unit);
-            return;
-        }
-    }
-    for (int by = -1; by < 3; by++) of[by + 1] = wide_sum(s, point, by);
-}
-
-static algsurf_status give_value(const algsurf_surface *surface, const double point[3], double *value,
-                                 double *bound) {
+ALGSURF_I_ENTRY(algsurf_status, surface_value,
+                (const algsurf_surface *surface, const double point[3], double *value, double *bound),
+                (surface, point, value, bound)) {
+    bounded of[4];
     if (!surface || !point || !value) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
-    bounded p = value_at(surface, point);
-    if (!is_finite(p)) return ALGSURF_E_RANGE;
-    *value = p.value;
-    if (bound) *bound = p.bound;
+    if (!evaluate(surface, point, 0, of)) return ALGSURF_E_RANGE;
+    *value = of[0].value;
+    if (bound) *bound = of[0].bound;
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, surface_value, give_value,
-                 (const algsurf_surface *surface, const double point[3], double *value, double *bound),
-                 (surface, point, value, bound))
-
-static algsurf_status give_gradient(const algsurf_surface *surface, const double point[3], double *value,
-                                    double gradient[3], double *value_bound, double gradient_bound[3]) {
+ALGSURF_I_ENTRY(algsurf_status, surface_gradient,
+                (const algsurf_surface *surface, const double point[3], double *value, double gradient[3],
+                 double *value_bound, double gradient_bound[3]),
+                (surface, point, value, gradient, value_bound, gradient_bound)) {
     bounded of[4];
     if (!surface || !point || !value || !gradient) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
-    gradient_at(surface, point, of);
-    for (int i = 0; i < 4; i++) {
-        if (!is_finite(of[i])) return ALGSURF_E_RANGE;
-    }
+    if (!evaluate(surface, point, 1, of)) return ALGSURF_E_RANGE;
     *value = of[0].value;
     if (value_bound) *value_bound = of[0].bound;
     for (int axis = 0; axis < 3; axis++) {
@@ -264,8 +248,3 @@ static algsurf_status give_gradient(const algsurf_surface *surface, const double
     }
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, surface_gradient, give_gradient,
-                 (const algsurf_surface *surface, const double point[3], double *value, double gradient[3],
-                  double *value_bound, double gradient_bound[3]),
-                 (surface, point, value, gradient, value_bound, gradient_bound))

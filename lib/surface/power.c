@@ -29,7 +29,7 @@
 #include "../poly/residue.h"
 
 #define LARGEST ((algsurf_limb)1 << 53)
-#define POINT 0x123456789abcdefu /* a coordinate: any residue */
+#define POINT 0x123456789abcdefu /* any residue */
 
 /* One coefficient: +-magnitude 2^shift, in place `at` of the polynomials in T. */
 typedef struct place {
@@ -176,30 +176,20 @@ static int is_power_modulo(search *p, const algsurf_prime *m) {
     return 1;
 }
 
-/* A polynomial at the point whose coordinates have the powers power[axis][0..degree]. */
-static algsurf_limb value_at(const search *p, const place *c, size_t count, const algsurf_prime *m,
-                             algsurf_limb power[3][ALGSURF_MAX_DEGREE + 1]) {
-    const size_t n = (size_t)p->s->degree + 1;
+/* A polynomial in T at POINT. */
+static algsurf_limb value_of(const place *c, size_t count, const algsurf_prime *m) {
     algsurf_limb sum = 0;
-    for (size_t t = 0; t < count; t++) {
-        algsurf_limb term = algsurf_residue_times(residue_of(c + t, m), power[0][c[t].at % n], m);
-        term = algsurf_residue_times(term, power[1][c[t].at / n % n], m);
-        sum = plus(sum, algsurf_residue_times(term, power[2][c[t].at / n / n], m), m);
-    }
+    for (size_t t = 0; t < count; t++)
+        sum = plus(
+            sum, algsurf_residue_times(residue_of(c + t, m), algsurf_residue_power(POINT, c[t].at, m), m), m);
     return sum;
 }
 
 /* Do Q^k and A agree at some point, modulo a prime?  If they are different, as a rule not. */
 static int agree_at_a_point(const search *p) {
     const algsurf_prime m = algsurf_prime_first();
-    algsurf_limb power[3][ALGSURF_MAX_DEGREE + 1];
-    for (size_t axis = 0; axis < 3; axis++) {
-        power[axis][0] = m.one;
-        for (int i = 1; i <= p->s->degree; i++)
-            power[axis][i] = algsurf_residue_times(power[axis][i - 1], POINT + axis, &m);
-    }
-    const algsurf_limb q = value_at(p, p->q, p->count, &m, power);
-    return algsurf_residue_power(q, (algsurf_limb)p->k, &m) == value_at(p, p->a, p->s->term_count, &m, power);
+    const algsurf_limb q = value_of(p->q, p->count, &m);
+    return algsurf_residue_power(q, (algsurf_limb)p->k, &m) == value_of(p->a, p->s->term_count, &m);
 }
 
 /* Q^k = A? */

@@ -28,13 +28,11 @@ typedef struct placed_term {
     size_t place;
 } placed_term;
 
-static int descending(int a, int b) { return (a < b) - (a > b); }
-
 static int compare_terms(const void *left, const void *right) {
     const placed_term *a = left, *b = right;
-    if (a->term.k != b->term.k) return descending(a->term.k, b->term.k);
-    if (a->term.j != b->term.j) return descending(a->term.j, b->term.j);
-    if (a->term.i != b->term.i) return descending(a->term.i, b->term.i);
+    if (a->term.k != b->term.k) return b->term.k - a->term.k; /* exponents are not negative */
+    if (a->term.j != b->term.j) return b->term.j - a->term.j;
+    if (a->term.i != b->term.i) return b->term.i - a->term.i;
     return (a->place > b->place) - (a->place < b->place);
 }
 
@@ -234,27 +232,22 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
     return status;
 }
 
-static algsurf_status from_terms(const algsurf_term *terms, size_t count, algsurf_surface **surface) {
+ALGSURF_I_ENTRY(algsurf_status, surface_from_terms,
+                (const algsurf_term *terms, size_t count, algsurf_surface **surface),
+                (terms, count, surface)) {
     if (!terms || count == 0 || !surface) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check_terms(terms, count);
     return status == ALGSURF_OK ? algsurf_i_surface_make(terms, count, 0, 0, surface) : status;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, surface_from_terms, from_terms,
-                 (const algsurf_term *terms, size_t count, algsurf_surface **surface),
-                 (terms, count, surface))
-
-static algsurf_status with_error(const algsurf_surface *surface, double error,
-                                 algsurf_surface **approximate) {
+ALGSURF_I_ENTRY(algsurf_status, surface_with_error,
+                (const algsurf_surface *surface, double error, algsurf_surface **approximate),
+                (surface, error, approximate)) {
     if (!surface || !approximate) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_check_number(error, error >= 0 && error < 1);
     if (status != ALGSURF_OK) return status;
     return algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, surface_with_error, with_error,
-                 (const algsurf_surface *surface, double error, algsurf_surface **approximate),
-                 (surface, error, approximate))
 
 double algsurf_surface_rounding(const algsurf_surface *surface) { return surface ? surface->rounding : 0; }
 
