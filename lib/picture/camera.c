@@ -71,17 +71,14 @@ algsurf_status algsurf_camera_orthographic(const double eye[3], const double loo
 algsurf_status algsurf_i_camera_check(const algsurf_camera *camera) {
     const double tolerance = 1e-9; /* far above the rounding of a frame, far below any mistake */
     if (!camera) return ALGSURF_E_ARGUMENT;
-    const double *axis[3] = {camera->right, camera->up, camera->forward};
-    if (!algsurf_is_finite3(camera->eye) || !isfinite(camera->half_height)) return ALGSURF_E_NOT_FINITE;
-    for (int i = 0; i < 3; i++)
-        if (!algsurf_is_finite3(axis[i])) return ALGSURF_E_NOT_FINITE;
-    for (int i = 0; i < 3; i++) {
-        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= tolerance)) return ALGSURF_E_ARGUMENT;
-        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= tolerance)) return ALGSURF_E_ARGUMENT;
-    }
-    if (camera->kind != ALGSURF_CAMERA_PINHOLE && camera->kind != ALGSURF_CAMERA_ORTHOGRAPHIC)
-        return ALGSURF_E_ARGUMENT;
-    return camera->half_height > 0 && algsurf_are_zero(camera->reserved, 8) ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(camera->eye) || !isfinite(camera->half_height) ||
+        !algsurf_is_finite3(camera->right) || !algsurf_is_finite3(camera->up) ||
+        !algsurf_is_finite3(camera->forward))
+        return ALGSURF_E_NOT_FINITE;
+    int good = algsurf_are_orthonormal(camera->right, camera->up, camera->forward, tolerance) &&
+               (camera->kind == ALGSURF_CAMERA_PINHOLE || camera->kind == ALGSURF_CAMERA_ORTHOGRAPHIC) &&
+               camera->half_height > 0 && algsurf_are_zero(camera->reserved, 8);
+    return good ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
 void algsurf_i_camera_ray(const algsurf_camera *camera, int width, int height, double x, double y,
@@ -99,8 +96,9 @@ void algsurf_i_camera_ray(const algsurf_camera *camera, int width, int height, d
     ray->t_max = INFINITY;
 }
 
-static algsurf_status checked_ray(const algsurf_camera *camera, int width, int height, double x, double y,
-                                  algsurf_ray *ray) {
+ALGSURF_I_ENTRY(algsurf_status, camera_ray,
+                (const algsurf_camera *camera, int width, int height, double x, double y, algsurf_ray *ray),
+                (camera, width, height, x, y, ray)) {
     algsurf_ray made;
     if (!ray || width < 1 || height < 1) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_camera_check(camera);
@@ -111,7 +109,3 @@ static algsurf_status checked_ray(const algsurf_camera *camera, int width, int h
     *ray = made;
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, camera_ray, checked_ray,
-                 (const algsurf_camera *camera, int width, int height, double x, double y, algsurf_ray *ray),
-                 (camera, width, height, x, y, ray))

@@ -42,16 +42,11 @@ typedef struct clearance {
     double square, half, rest;
 } clearance;
 
-/* Of rays at v; or of all v, in the plane of the axis of u and z. */
-static clearance clearance_at(const algsurf_i_view *view, double v) {
-    double alpha = view->alpha, x = view->beta[0], y = view->beta[1], b = alpha * v + y;
+/* Of rays at v, for beta = x, y; with y = v = 0, of all v, in the plane of x and z. */
+static clearance clearance_of(double alpha, double x, double y, double v) {
+    double b = alpha * v + y;
     return (clearance){1 + y * y - CLEAR * alpha * alpha, x * (y * v + CLEAR * alpha),
                        v * v * (1 + x * x) - CLEAR * (1 + x * x + b * b)};
-}
-
-static clearance clearance_across(const algsurf_i_view *view, int axis) {
-    double alpha = view->alpha, beta = view->beta[axis];
-    return (clearance){1 - CLEAR * alpha * alpha, CLEAR * alpha * beta, -CLEAR * (1 + beta * beta)};
 }
 
 /* Are the ray at u and all further out, on the side of larger u (1) or smaller (-1), clear? */
@@ -88,12 +83,12 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
                  middle = 0.5 * picture->height;
     const double v0 = p->v0 + per * (middle - top), v1 = p->v0 + per * (middle - bottom);
     const pixel_line line = {p->rays.u0, per, 0.5 * picture->width, picture->width};
-    const clearance never = {0, 0, 0};
-    const int endless = picture->scene->extent.kind == ALGSURF_EXTENT_ALL;
-    const clearance rows = endless ? never : clearance_across(view, 1);
-    const clearance pixels = endless        ? never
-                             : top < bottom ? clearance_across(view, 0)
-                                            : clearance_at(view, v0);
+    const int endless = picture->scene->extent.kind == ALGSURF_EXTENT_ALL, one_row = top == bottom;
+    clearance rows = {0, 0, 0}, pixels = {0, 0, 0}; /* never */
+    if (!endless) {
+        rows = clearance_of(view->alpha, view->beta[1], 0, 0);
+        pixels = clearance_of(view->alpha, view->beta[0], one_row ? view->beta[1] : 0, one_row ? v0 : 0);
+    }
     *begin = *end = 0;
     if (!(fabs(view->beta[0]) < BOUND && fabs(view->beta[1]) < BOUND)) return 0;
     if ((is_clear(&rows, v0, 1) && is_clear(&rows, v1, 1)) ||

@@ -116,11 +116,22 @@ static void store_pixel(const algsurf_i_picture *picture, const algsurf_i_shown 
     for (int k = 0; to->normals && k < 3; k++) to->normals[3 * x + k] = (float)shown->normal[3 * x + k];
 }
 
+/* The line's points are all there but for the undecided ones: these, then colours and what is thin. */
+static algsurf_status complete(algsurf_i_worker *worker, int row, double sx, double sy, int undecided) {
+    algsurf_i_line *line = &worker->line;
+    const int n = line->dense;
+    algsurf_status status = ALGSURF_OK;
+    if (undecided) status = algsurf_i_solve_undecided(worker, row + sy, sx, n * line->begin, n * line->end);
+    algsurf_i_lap(worker, &worker->tally->stats.solve_s);
+    if (status == ALGSURF_OK && line->colours) status = shade_line(worker, row);
+    if (status == ALGSURF_OK && line->thin) algsurf_i_add_thin(worker, row, sx, sy);
+    return status;
+}
+
 /* The line's points, seen through offset (sx,sy) in each wanted pixel, and their colours. */
 static algsurf_status see(algsurf_i_worker *worker, int row, double sx, double sy) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
-    algsurf_status status = ALGSURF_OK;
     int undecided = 1;
     if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
     worker->lap = algsurf_i_render_clock(picture);
@@ -135,11 +146,7 @@ static algsurf_status see(algsurf_i_worker *worker, int row, double sx, double s
         undecided = algsurf_i_solve_complex_row(worker, row, sx, sy);
     else
         undecided = algsurf_i_solve_row(worker, row, sx, sy);
-    if (undecided) status = algsurf_i_solve_undecided(worker, row + sy, sx, line->begin, line->end);
-    algsurf_i_lap(worker, &worker->tally->stats.solve_s);
-    if (status == ALGSURF_OK && line->colours) status = shade_line(worker, row);
-    if (status == ALGSURF_OK && line->thin) algsurf_i_add_thin(worker, row, sx, sy);
-    return status;
+    return complete(worker, row, sx, sy, undecided);
 }
 
 static void store_word(uint32_t word, uint8_t *bytes) {
@@ -221,21 +228,6 @@ static algsurf_status add_coloured(algsurf_i_worker *worker, int row, int all_hi
     return status;
 }
 
-/* The same of a row of samples, and of what is thin beside them: those points are all there are. */
-static algsurf_status add_with_thin(algsurf_i_worker *worker, int row, double sy, int undecided) {
-    algsurf_i_line *line = &worker->line;
-    const int n = line->dense;
-    algsurf_status status = ALGSURF_OK;
-    if (undecided) status = algsurf_i_solve_undecided(worker, row + sy, 0.5, n * line->begin, n * line->end);
-    algsurf_i_lap(worker, &worker->tally->stats.solve_s);
-    if (status == ALGSURF_OK && line->colours) status = shade_line(worker, row);
-    if (status != ALGSURF_OK) return status;
-    algsurf_i_add_thin(worker, row, 0.5, sy);
-    add_points(line, 0);
-    line->count = 0;
-    return status;
-}
-
 /* Row j of the listed pixels' samples.  Those not undecided wait, as long as there is room, to be coloured
  * with those of the rows that follow; in full quality colours depend on the row. */
 static algsurf_status render_samples_row(algsurf_i_worker *worker, int row, int j) {
@@ -251,14 +243,11 @@ static algsurf_status render_samples_row(algsurf_i_worker *worker, int row, int 
     if (status != ALGSURF_OK) return status;
     line->sample = j * n;
     const int undecided = algsurf_i_solve_listed(worker, row, sy);
-    if (line->thin) {
-        status = add_with_thin(worker, row, sy, undecided);
-    } else if (undecided) {
-        status = add_coloured(worker, row, 1);
-        if (status == ALGSURF_OK)
-            status = algsurf_i_solve_undecided(worker, row + sy, 0.5, n * line->begin, n * line->end);
-        algsurf_i_lap(worker, &worker->tally->stats.solve_s);
-        if (status == ALGSURF_OK) status = add_coloured(worker, row, 0);
+    if (line->thin || undecided) {
+        if (!line->thin) status = add_coloured(worker, row, 1);
+        if (status == ALGSURF_OK) status = complete(worker, row, 0.5, sy, undecided);
+        if (status == ALGSURF_OK) add_points(line, 0);
+        line->count = 0;
     }
     raise_ways(line);
     return status;
