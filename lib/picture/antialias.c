@@ -62,7 +62,8 @@ static int is_beside_thin(const algsurf_i_picture *picture, const algsurf_i_midd
            (row + 1 < picture->height && middles->shown[(row + 1) % 3].state[x] == thin);
 }
 
-/* Lists which of the pixels x .. end-1 show another colour than a neighbour, or are beside something thin. */
+/* Lists which of the pixels x .. end-1 are wanted: they show another colour than a neighbour, or are beside
+ * something thin. */
 static int list_apart(algsurf_i_worker *worker, int row, int x, int end, int *list) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_middles *middles = &worker->middles;
@@ -71,9 +72,11 @@ static int list_apart(algsurf_i_worker *worker, int row, int x, int end, int *li
     compare(picture, row, x, end, middles);
     for (; x < end; x++) {
         const uint8_t *mark = middles->apart + channels * x;
-        int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
-        list[count] = x;
-        count += apart || (worker->line.thin && is_beside_thin(picture, middles, row, x));
+        const int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
+        const int thin = worker->line.thin && is_beside_thin(picture, middles, row, x);
+        if (!apart && !thin) continue;
+        list[count++] = x;
+        middles->wanted[x] = thin ? 2 : 1;
     }
     return count;
 }
@@ -120,22 +123,16 @@ static void list_edges(algsurf_i_worker *worker, int row) {
 }
 
 algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
-    const int width = worker->picture->width;
     algsurf_i_middles *middles = &worker->middles;
-    algsurf_i_line *line = &worker->line;
     if (middles->end < row - 1) middles->end = row - 1;
     for (; middles->end <= row + 1 && middles->end < worker->picture->height; middles->end++) {
         algsurf_status status = draw_middles(worker, middles->end);
         if (status != ALGSURF_OK) return status;
     }
     algsurf_i_tally_add(worker->tally, &middles->counts[row % 3]);
+    memset(middles->wanted, 0, (size_t)worker->picture->width);
     list_edges(worker, row);
-    memset(middles->wanted, 0, (size_t)width);
-    for (int i = 0; i < line->wanted_count; i++) {
-        const int x = line->list[i], may = line->thin && is_beside_thin(worker->picture, middles, row, x);
-        middles->wanted[x] = may ? 2 : 1;
-    }
-    line->wanted = middles->wanted;
+    worker->line.wanted = middles->wanted;
     worker->predictor.row = -1;
     return ALGSURF_OK;
 }

@@ -100,7 +100,7 @@ static void find_points(algsurf_i_worker *worker, const algsurf_i_complex_job *j
     const algsurf_i_points found = algsurf_i_points_to_find(worker, 0);
     if (!picture->code->complex_points(job, picture->scene->surface, line->pixel, line->depth,
                                        line->imaginary, line->count, line->sure, &found))
-        (void)algsurf_i_drop_unsure(line, 0);
+        algsurf_i_drop_unsure(line, 0);
 }
 
 int algsurf_i_solve_complex_row(algsurf_i_worker *worker, int row, double sx, double sy) {

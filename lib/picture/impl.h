@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "../base/threads.h"
 #include "../beams/kernels.h"
 #include "../beams/segments.h"
 #include "colours.h"
@@ -193,8 +194,10 @@ typedef struct algsurf_i_worker {
     algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */
     algsurf_i_tally all;
-    algsurf_i_tally *tally; /* where it counts: all, or what may not count */
-    double lap;             /* the clock when it was last read, for `all` */
+    algsurf_i_tally *tally;   /* where it counts: all, or what may not count */
+    double lap;               /* the clock when it was last read, for `all` */
+    struct thread_pool *pool; /* threads.c */
+    pthread_t thread;
 } algsurf_i_worker;
 
 /* Seconds since some moment in the past; never goes back.  0 if nobody asks for the picture's times. */
@@ -240,7 +243,7 @@ int algsurf_i_thread_count(const algsurf_render_options *options);
 algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
                                         int threads, algsurf_i_worker *workers, algsurf_i_tally *total);
 
-/* ---- the steps of a row, which count in worker->tally.  OK, CANCELLED or what intersect returned ---- */
+/* ---- the steps of a row, which count in worker->tally.  OK, CANCELLED, or a light is not finite ---- */
 
 /* Draws one row, row_begin <= row < row_end.  When cancelled, the row's bytes are untouched. */
 algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row);
@@ -284,9 +287,9 @@ int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy);
 algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, double sx, int begin, int end);
 
 /* The line's points from `first` on, as kernels are to find them; and those that were not found, as line.sure
- * tells, leave the line: their samples are undecided.  Returns 1. */
+ * tells, leave the line: their samples are undecided. */
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_worker *worker, int first);
-int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
+void algsurf_i_drop_unsure(algsurf_i_line *line, int first);
 
 /* line.visible of a row's points: the share of each light's points that nothing hides, 1 where that adds
  * nothing to the colour whatever the share, and that of free directions. */

@@ -115,7 +115,7 @@ static void move_point(const algsurf_i_points *p, int from, int to) {
     }
 }
 
-int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
+void algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
     int kept = first;
     for (int i = first; i < line->count; i++) {
         if (!line->sure[i]) {
@@ -126,7 +126,6 @@ int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
         line->pixel[kept++] = line->pixel[i];
     }
     line->count = kept;
-    return 1;
 }
 
 /* Shadows need to know places exactly. */
@@ -156,7 +155,8 @@ static int find_points(algsurf_i_worker *worker, const algsurf_i_row_job *job, i
     const algsurf_i_points found = algsurf_i_points_to_find(worker, first);
     int all = picture->code->points(&points, line->pixel + first, line->depth + first, line->count - first,
                                     sheets, line->sure + first, &found);
-    return !all && algsurf_i_drop_unsure(line, first);
+    if (!all) algsurf_i_drop_unsure(line, first);
+    return !all;
 }
 
 /* Depths of the listed pixels that are hit, after the line's points; returns whether some are undecided. */

@@ -45,12 +45,6 @@ static int rays_are_finite(const algsurf_camera *camera, int width, int height) 
     return 1;
 }
 
-static int lights_are_finite(const algsurf_light *lights, size_t count) {
-    for (size_t l = 0; l < count; l++)
-        if (!algsurf_is_finite3(lights[l].position)) return 0;
-    return 1;
-}
-
 /* Those of the surface, and of what is thin. */
 static void prepare_colours(const algsurf_scene *scene, algsurf_i_picture *picture) {
     const int preview = scene->quality == ALGSURF_QUALITY_PREVIEW;
@@ -82,10 +76,10 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->thin =
         picture->geometry && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
     picture->tiled = picture->geometry && algsurf_i_tiles_pay(picture, picture->geometry);
-    if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
-        !lights_are_finite(picture->lights, picture->lighting.light_count))
-        return ALGSURF_E_NOT_FINITE;
-    return ALGSURF_OK;
+    /* a scene's own lights are finite, the default one may be far away */
+    int finite = rays_are_finite(&scene->camera, picture->width, picture->height) &&
+                 (scene->light_count >= 0 || algsurf_is_finite3(picture->lights[0].position));
+    return finite ? ALGSURF_OK : ALGSURF_E_NOT_FINITE;
 }
 
 /* Brings P to the picture's view; a frame that leaves the range of double is done without a view. */

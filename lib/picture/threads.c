@@ -12,14 +12,12 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 
-#include <stdlib.h>
 #include <time.h>
 #ifndef _WIN32
 #include <unistd.h>
 #endif
 
 #include "../base/fpenv.h"
-#include "../base/threads.h"
 
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
 #define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
@@ -33,12 +31,6 @@ typedef struct thread_pool {
     int helpers_at_work;
     algsurf_status status; /* OK, or why no more rows are handed out */
 } thread_pool;
-
-typedef struct helper {
-    thread_pool *pool;
-    algsurf_i_worker *worker;
-    pthread_t thread;
-} helper;
 
 static void stop_pool(thread_pool *pool, algsurf_status why) {
     pthread_mutex_lock(&pool->lock);
@@ -84,12 +76,12 @@ static int batch_of(const algsurf_i_picture *picture) {
 }
 
 /* Gives the worker rows when it has none left; returns 0 when there are none to give. */
-static int take_rows(thread_pool *pool, algsurf_i_worker *worker) {
-    const algsurf_i_picture *picture = pool->picture;
+static int take_rows(algsurf_i_worker *worker) {
+    const algsurf_i_picture *picture = worker->picture;
     if (algsurf_i_stopped(picture)) return 0;
     if (worker->row < worker->row_end) return 1;
     int batch = batch_of(picture);
-    int first = atomic_fetch_add_explicit(&pool->next_row, batch, memory_order_relaxed);
+    int first = atomic_fetch_add_explicit(&worker->pool->next_row, batch, memory_order_relaxed);
     if (first >= picture->row_end) return 0;
     worker->row = first < picture->row_begin ? picture->row_begin : first;
     worker->row_end = batch < picture->row_end - first ? first + batch : picture->row_end;
@@ -98,21 +90,21 @@ static int take_rows(thread_pool *pool, algsurf_i_worker *worker) {
 }
 
 /* Draws the worker's next row; returns 0 when there was none left to take. */
-static int draw_next(thread_pool *pool, algsurf_i_worker *worker) {
+static int draw_next(algsurf_i_worker *worker) {
     algsurf_status status;
-    if (!take_rows(pool, worker)) return 0;
+    if (!take_rows(worker)) return 0;
     ALGSURF_STANDARD(status = algsurf_i_render_row(worker, worker->row++));
     if (status == ALGSURF_OK)
-        atomic_fetch_add_explicit(&pool->rows_done, 1, memory_order_relaxed);
+        atomic_fetch_add_explicit(&worker->pool->rows_done, 1, memory_order_relaxed);
     else
-        stop_pool(pool, status);
+        stop_pool(worker->pool, status);
     return 1;
 }
 
 static void *help(void *data) {
-    const helper *me = data;
-    thread_pool *pool = me->pool;
-    while (draw_next(pool, me->worker)) {
+    algsurf_i_worker *helper = data;
+    thread_pool *pool = helper->pool;
+    while (draw_next(helper)) {
     }
     pthread_mutex_lock(&pool->lock);
     pool->helpers_at_work--;
@@ -154,15 +146,11 @@ static int init_sync(thread_pool *pool) {
 
 /* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many.  None leaves before
  * all are counted. */
-static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf_i_worker *workers) {
+static int start_helpers(thread_pool *pool, algsurf_i_worker *helpers, int wanted) {
     int started = 0;
     pthread_mutex_lock(&pool->lock);
-    for (; started < wanted; started++) {
-        helper *next = &helpers[started];
-        next->pool = pool;
-        next->worker = &workers[started];
-        if (pthread_create(&next->thread, NULL, help, next) != 0) break;
-    }
+    while (started < wanted && pthread_create(&helpers[started].thread, NULL, help, &helpers[started]) == 0)
+        started++;
     pool->helpers_at_work = started;
     pthread_mutex_unlock(&pool->lock);
     return started;
@@ -173,22 +161,17 @@ algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsur
     thread_pool pool = {.picture = picture, .options = options};
     atomic_init(&pool.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
     atomic_init(&pool.rows_done, 0);
-    helper *helpers = calloc((size_t)threads, sizeof *helpers);
-    if (!helpers) return ALGSURF_E_NO_MEMORY;
-    if (!init_sync(&pool)) {
-        free(helpers);
-        return ALGSURF_E_THREAD;
-    }
+    if (!init_sync(&pool)) return ALGSURF_E_THREAD;
     for (int i = 0; i < threads; i++) {
+        workers[i].pool = &pool;
         workers[i].picture = picture;
         workers[i].tally = &workers[i].all;
     }
-    int started = start_helpers(&pool, helpers, threads - 1, workers + 1);
-    while (draw_next(&pool, workers)) report(&pool);
+    int started = start_helpers(&pool, workers + 1, threads - 1);
+    while (draw_next(workers)) report(&pool);
     if (started > 0)
         while (wait_for_helpers(&pool) > 0) report(&pool);
-    for (int i = 0; i < started; i++) (void)pthread_join(helpers[i].thread, NULL);
-    free(helpers);
+    for (int i = 1; i <= started; i++) (void)pthread_join(workers[i].thread, NULL);
     if (started > 0) report(&pool);
     (void)pthread_mutex_destroy(&pool.lock);
     (void)pthread_cond_destroy(&pool.left);

@@ -50,8 +50,9 @@ static void add_point(algsurf_i_worker *worker, int x, const algsurf_ray *ray, c
                            &points->looks);
 }
 
-/* The rays themselves, without the noise that a row allows for: most of them are decided side by side. */
-static algsurf_status solve_group(algsurf_i_worker *worker, undecided_pixels *d) {
+/* The rays themselves, without the noise that a row allows for: most of them are decided side by side.  They
+ * are finite (render.c): nothing but memory may be missing. */
+static void solve_group(algsurf_i_worker *worker, undecided_pixels *d) {
     const algsurf_scene *scene = worker->picture->scene;
     unsigned char state[GROUP];
     double t[GROUP], position[3][GROUP], normal[3][GROUP];
@@ -64,10 +65,9 @@ static algsurf_status solve_group(algsurf_i_worker *worker, undecided_pixels *d)
                                      .t = t,
                                      .position = {position[0], position[1], position[2]},
                                      .normal = {normal[0], normal[1], normal[2]}};
-    algsurf_status status = algsurf_i_intersect_packet(scene->given, &scene->extent, &rays, &scene->intersect,
-                                                       0, &hits, &worker->tally->stats.exact_rays);
-    if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
-    worker->tally->without_memory += status < 0;
+    worker->tally->without_memory +=
+        algsurf_i_intersect_packet(scene->given, &scene->extent, &rays, &scene->intersect, 0, &hits,
+                                   &worker->tally->stats.exact_rays) < 0;
     for (size_t i = 0; i < d->count; i++) {
         algsurf_ray ray;
         algsurf_hit hit = {.state = state[i], .t = t[i]};
@@ -79,21 +79,17 @@ static algsurf_status solve_group(algsurf_i_worker *worker, undecided_pixels *d)
         add_point(worker, d->pixel[i], &ray, &hit);
     }
     d->count = 0;
-    return ALGSURF_OK;
 }
 
-static algsurf_status solve_complex(algsurf_i_worker *worker, int x, const algsurf_ray *ray) {
+static void solve_complex(algsurf_i_worker *worker, int x, const algsurf_ray *ray) {
     const algsurf_scene *scene = worker->picture->scene;
     const algsurf_i_region region = {&scene->extent, scene->intersect.planes, scene->intersect.plane_count};
     algsurf_hit hit;
     int iterations;
-    algsurf_status status = algsurf_i_intersect_complex(scene->surface, &region, ray, &scene->space, NULL,
-                                                        NULL, &hit, NULL, &iterations);
-    if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
-    worker->tally->without_memory += status < 0;
+    worker->tally->without_memory += algsurf_i_intersect_complex(scene->surface, &region, ray, &scene->space,
+                                                                 NULL, NULL, &hit, NULL, &iterations) < 0;
     worker->tally->stats.iterations += (uint64_t)iterations;
     add_point(worker, x, ray, &hit);
-    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, double sx, int begin, int end) {
@@ -101,18 +97,18 @@ algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, dou
     const algsurf_i_line *line = &worker->line;
     const algsurf_scene *scene = picture->scene;
     undecided_pixels d = {.count = 0};
-    algsurf_status status = ALGSURF_OK;
-    for (int x = begin; x < end && status == ALGSURF_OK; x++) {
+    for (int x = begin; x < end; x++) {
         algsurf_ray ray;
         if (line->state[x] != ALGSURF_LANE_UNDECIDED) continue;
         if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height,
                              line->dense > 1 ? (x + 0.5) / line->dense : x + sx, y, &ray);
         if (scene->complex)
-            status = solve_complex(worker, x, &ray);
+            solve_complex(worker, x, &ray);
         else
             add_pixel(&d, x, &ray);
-        if (d.count == GROUP) status = solve_group(worker, &d);
+        if (d.count == GROUP) solve_group(worker, &d);
     }
-    return status == ALGSURF_OK && d.count > 0 ? solve_group(worker, &d) : status;
+    if (d.count > 0) solve_group(worker, &d);
+    return ALGSURF_OK;
 }

@@ -129,12 +129,6 @@ static void add_integer(algsurf_limb *r, int width, const algsurf_limb *a, int w
     for (int i = w; i < width; i++) r[i] = algsurf_limb_add(r[i], sign, &carry);
 }
 
-/* p += x 2^shift, an integer. */
-static void sum_add_double(exact_sum *p, double x, int shift) {
-    sum_expect(p, 0, span_of(x).top + shift, 1);
-    algsurf_z_add_double(p->c, p->width, x, shift);
-}
-
 /* p += q; q is used up (p may receive its room). */
 static void sum_add(exact_sum *p, exact_sum *q) {
     if (q->degree < 0) return;
@@ -274,15 +268,19 @@ static int choose_exponent(const double origin[3], const double direction[3], in
     return best;
 }
 
+/* Where the unit of the coordinates' product is, in a term. */
+static int unit_of(const scheme *h, const algsurf_term *t) {
+    return t->i * h->axis[0].unit + t->j * h->axis[1].unit + t->k * h->axis[2].unit;
+}
+
 /* Sets least; returns the bits of the largest term's product. */
 static int measure(scheme *h) {
     int low = 0, top = 0;
     const exact_axis *x = h->axis;
     for (const algsurf_term *t = h->next; t < h->end; t++) {
         exact_span a = span_of(t->a);
-        int unit = t->i * x[0].unit + t->j * x[1].unit + t->k * x[2].unit;
         int bits = t->i * x[0].bits + t->j * x[1].bits + t->k * x[2].bits;
-        a.low += unit, a.top += unit + bits;
+        a.low += unit_of(h, t), a.top += unit_of(h, t) + bits;
         if (t == h->next || a.low < low) low = a.low;
         if (t == h->next || a.top > top) top = a.top;
     }
@@ -292,8 +290,10 @@ static int measure(scheme *h) {
 
 static void add_term(scheme *h) {
     const algsurf_term *t = h->next++;
-    int unit = t->i * h->axis[0].unit + t->j * h->axis[1].unit + t->k * h->axis[2].unit;
-    sum_add_double(&h->sum[0], t->a, unit - h->least);
+    exact_sum *p = &h->sum[0];
+    int shift = unit_of(h, t) - h->least;
+    sum_expect(p, 0, span_of(t->a).top + shift, 1);
+    algsurf_z_add_double(p->c, p->width, t->a, shift);
 }
 
 /* Does the next term belong to the same power of the axes outside of this one? */
@@ -326,7 +326,7 @@ static int measure_result(const exact_sum *sum, int shift, algsurf_zpoly *p) {
     int low = 0, top = 0;
     p->degree = -1;
     for (int k = 0; k <= sum->degree; k++) {
-        const algsurf_limb *a = sum->c + (size_t)k * sum->stride;
+        const algsurf_limb *a = at(sum, k);
         int zeros = algsurf_z_trailing(a, sum->width);
         if (zeros == ALGSURF_Z_NO_BIT) continue;
         int bits = algsurf_z_bits(a, sum->width);
@@ -343,7 +343,7 @@ static int measure_result(const exact_sum *sum, int shift, algsurf_zpoly *p) {
 static int set_result(const exact_sum *sum, int shift, algsurf_zpoly *p) {
     int low = measure_result(sum, shift, p);
     for (int k = 0; k <= p->degree; k++) {
-        algsurf_limb *a = sum->c + (size_t)k * sum->stride;
+        algsurf_limb *a = at(sum, k);
         int up = k * shift - low;
         if (up < 0) algsurf_z_shift_down(a, sum->width, -up);
         algsurf_z_copy(algsurf_zpoly_at(p, k), p->width, a, sum->width);
