@@ -24,13 +24,6 @@ typedef struct whole {
     int length;
 } whole;
 
-/* Digits as read, without leading zeros: 0.d1 d2 d3 ... times radix^point. */
-typedef struct digit_string {
-    unsigned char digit[DIGITS + 1]; /* the last one stands for all digits that are left out */
-    int count;
-    long long point;
-} digit_string;
-
 static int digit_of(char c, int radix) {
     if (c >= '0' && c <= '9') return c - '0';
     if (radix == 16 && c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -38,12 +31,12 @@ static int digit_of(char c, int radix) {
     return -1;
 }
 
-/* Reads digits and a point; returns the characters read, 0 if there is no digit. */
-static size_t read_digits(const char *text, int radix, digit_string *s) {
+/* Reads digits and a point; returns the characters read, 0 if there is no digit.  *a becomes the integer of
+ * the *count digits behind leading zeros, where one digit stands for all that are left out; what is read is
+ * 0.a times radix^point. */
+static size_t read_digits(const char *text, int radix, whole *a, int *count, long long *point) {
     size_t at = 0;
     int point_seen = 0, digit_seen = 0;
-    s->count = 0;
-    s->point = 0;
     for (;; at++) {
         if (text[at] == '.' && !point_seen) {
             point_seen = 1;
@@ -52,15 +45,13 @@ static size_t read_digits(const char *text, int radix, digit_string *s) {
         int d = digit_of(text[at], radix);
         if (d < 0) break;
         digit_seen = 1;
-        int leading_zero = s->count == 0 && d == 0;
-        if (leading_zero && point_seen) s->point--;
-        if (!leading_zero && !point_seen) s->point++;
-        if (leading_zero) continue;
-        if (s->count < DIGITS) {
-            s->digit[s->count++] = (unsigned char)d;
-        } else if (d) {
-            s->digit[DIGITS] = 1, s->count = DIGITS + 1;
-        }
+        int leading_zero = *count == 0 && d == 0;
+        if (leading_zero && point_seen) --*point;
+        if (!leading_zero && !point_seen) ++*point;
+        if (leading_zero || *count > DIGITS || (*count == DIGITS && d == 0)) continue;
+        algsurf_limb digit = *count < DIGITS ? (algsurf_limb)d : 1;
+        a->length = algsurf_z_extend(a->limb, a->length, (algsurf_limb)radix, digit);
+        ++*count;
     }
     return digit_seen ? at : 0;
 }
@@ -78,15 +69,12 @@ static size_t read_exponent(const char *text, char letter, long long *exponent) 
     return at;
 }
 
-/* a radix^power, plus the number that the next `power` digits are, if there are any. */
-static void append(whole *a, int radix, long long power, const unsigned char *digit) {
+/* a *= 10^power; nothing for power < 0. */
+static void scale(whole *a, long long power) {
     while (power > 0) {
-        algsurf_limb factor = 1, plus = 0;
-        for (; power > 0 && factor <= UINT64_MAX / 16 / 16; power--) {
-            factor *= (algsurf_limb)radix;
-            if (digit) plus = plus * (algsurf_limb)radix + *digit++;
-        }
-        a->length = algsurf_z_extend(a->limb, a->length, factor, plus);
+        algsurf_limb factor = 1;
+        for (; power > 0 && factor <= UINT64_MAX / 16; power--) factor *= 10;
+        a->length = algsurf_z_extend(a->limb, a->length, factor, 0);
     }
 }
 
@@ -109,23 +97,22 @@ static algsurf_i_number quotient(whole *above, const whole *below, long long exp
 }
 
 static algsurf_i_reading read(const char *text, int radix, size_t *length, algsurf_i_number *number) {
-    digit_string s;
-    long long exponent;
-    size_t prefix = radix == 16 ? 2 : 0, at = read_digits(text + prefix, radix, &s);
+    whole above = {{0}, 0}, below = {{1}, 1};
+    int count = 0;
+    long long exponent, point = 0;
+    size_t prefix = radix == 16 ? 2 : 0, at = read_digits(text + prefix, radix, &above, &count, &point);
     if (at == 0) return ALGSURF_I_NO_NUMBER;
     at += prefix;
     *length = at + read_exponent(text + at, radix == 16 ? 'p' : 'e', &exponent);
     *number = (algsurf_i_number){{0.0, 0.0}, 0};
-    long long size = exponent + (radix == 16 ? 4 : 1) * s.point; /* the number is less than 2^ or 10^ that */
-    if (s.count == 0 || size < (radix == 16 ? -4000 : -DECIMAL_LIMIT)) return ALGSURF_I_NUMBER;
+    long long size = exponent + (radix == 16 ? 4 : 1) * point; /* the number is less than 2^ or 10^ that */
+    if (count == 0 || size < (radix == 16 ? -4000 : -DECIMAL_LIMIT)) return ALGSURF_I_NUMBER;
     if (size > (radix == 16 ? 2000 : DECIMAL_LIMIT)) return ALGSURF_I_NUMBER_TOO_LARGE;
-    whole above = {{0}, 0}, below = {{1}, 1};
-    append(&above, radix, s.count, s.digit);
     if (radix == 10) {
-        append(&above, 10, size - s.count, NULL);
-        append(&below, 10, s.count - size, NULL);
+        scale(&above, size - count);
+        scale(&below, count - size);
     }
-    *number = quotient(&above, &below, radix == 16 ? size - 4LL * s.count : 0);
+    *number = quotient(&above, &below, radix == 16 ? size - 4LL * count : 0);
     return ALGSURF_I_NUMBER;
 }
 

@@ -6,8 +6,6 @@
 #include "../base/arithmetic.h"
 #include "parse.h"
 
-#include <string.h>
-
 static const char SOLIDS[] = "poly quadric cubic quartic";
 enum { POLY = 1, QUADRIC, CUBIC, QUARTIC };
 
