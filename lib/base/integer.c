@@ -8,7 +8,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stddef.h>
 
 #define LIMB_BITS 64
 

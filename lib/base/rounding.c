@@ -4,7 +4,6 @@
 #include "arithmetic.h"
 #include "rounding.h"
 
-#include <stddef.h>
 #include <string.h>
 
 static double sum(double a, double b) { return a + b; }

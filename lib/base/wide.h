@@ -28,23 +28,6 @@ static inline algsurf_limb algsurf_limb_add(algsurf_limb a, algsurf_limb b, unsi
 #endif
 }
 
-/* a - b - *borrow; *borrow is 0 or 1, before and after. */
-static inline algsurf_limb algsurf_limb_sub(algsurf_limb a, algsurf_limb b, unsigned char *borrow) {
-#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__clang__)
-    unsigned long long difference;
-    *borrow = __builtin_ia32_subborrow_u64(*borrow, a, b, &difference);
-    return (algsurf_limb)difference;
-#elif ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__)
-    unsigned long long difference;
-    *borrow = __builtin_ia32_sbb_u64(*borrow, a, b, &difference);
-    return (algsurf_limb)difference;
-#else
-    algsurf_limb partial = a - b, difference = partial - *borrow;
-    *borrow = (unsigned char)((a < b) | (partial < *borrow));
-    return difference;
-#endif
-}
-
 /* *r = a + b + carry, *r = a - b - borrow; the carry is returned.  gcc stores the result of its two builtins
  * for carries to memory in any case: here once, to where it belongs.  (It does so without regard to types.)
  */
@@ -59,11 +42,17 @@ static inline unsigned char algsurf_limb_add_to(algsurf_limb *r, algsurf_limb a,
 }
 static inline unsigned char algsurf_limb_sub_to(algsurf_limb *r, algsurf_limb a, algsurf_limb b,
                                                 unsigned char borrow) {
-#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__clang__)
+    unsigned long long difference;
+    borrow = __builtin_ia32_subborrow_u64(borrow, a, b, &difference);
+    *r = (algsurf_limb)difference;
+    return borrow;
+#elif ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__)
     return __builtin_ia32_sbb_u64(borrow, a, b, (unsigned long long *)(void *)r);
 #else
-    *r = algsurf_limb_sub(a, b, &borrow);
-    return borrow;
+    algsurf_limb partial = a - b;
+    *r = partial - borrow;
+    return (unsigned char)((a < b) | (partial < borrow));
 #endif
 }
 
