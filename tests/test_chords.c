@@ -533,7 +533,7 @@ static void check_row(const test_view *v, const algsurf_i_picture *picture, uint
     algsurf_i_row_form form;
     algsurf_i_row_job job;
     int begin, end, clear = algsurf_i_pixels_within_bounds(picture, y, y + 1, 1, &begin, &end);
-    algsurf_i_make_row(picture, y + 0.5, 0.5, &form, &job);
+    algsurf_i_make_row(picture, y + 0.5, 0.5, 1, &form, &job);
     for (int i = begin; i < end; i++) check_pixel(v, picture, &job, i, y);
     for (int i = 0; clear && i < COLUMNS; i++)
         if (i < begin || i >= end) check_clear(v, seed, i, y);
@@ -544,7 +544,6 @@ static int check_view(const test_view *v, uint64_t *seed) {
     static algsurf_i_geometry geometry;
     algsurf_surface *surface = NULL;
     algsurf_scene *scene = NULL;
-    double centre[3];
     assert_ok(algsurf_surface_from_terms(terms, 2, &surface));
     assert_ok(algsurf_scene_create(surface, &scene));
     assert_ok(algsurf_scene_set_extent(scene, &v->extent));
@@ -552,7 +551,7 @@ static int check_view(const test_view *v, uint64_t *seed) {
     assert_ok(algsurf_scene_set_clip(scene, v->planes, (size_t)v->plane_count));
     memset(&geometry, 0, sizeof geometry);
     algsurf_i_picture picture = {.scene = scene, .width = COLUMNS, .height = ROWS, .geometry = &geometry};
-    algsurf_i_scene_ball(scene, centre, &picture.lighting.radius);
+    algsurf_i_scene_lighting(scene, picture.lights, &picture.lighting);
     int suits = algsurf_i_find_geometry(&picture, &geometry);
     for (int y = 0; suits && y < ROWS; y++) check_row(v, &picture, seed, y);
     algsurf_scene_free(scene);

@@ -9,7 +9,6 @@
 #include "exact.h"
 #include "beams/kernels.h"
 #include "picture/colours.h"
-#include "picture/srgb.h"
 #include "shade_reference.h"
 #include "unit.h"
 

@@ -10,7 +10,7 @@
 #include <fenv.h>
 
 #include "algsurf/shade.h"
-#include "picture/srgb.h"
+#include "picture/colours.h"
 #include "unit.h"
 
 /* IEC 61966-2-1: 0..1, from linear light to what is stored, and back. */

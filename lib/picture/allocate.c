@@ -3,7 +3,6 @@
  * It is laid out twice: the first time at no address, which tells how much it is. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "srgb.h"
 
 #include <stdlib.h>
 

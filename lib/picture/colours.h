@@ -1,4 +1,4 @@
-/* colours.h - what is lit, checked, and the colours of points, by every kernel. */
+/* colours.h - what is lit, checked, and the colours of points, by every kernel; linear light as bytes. */
 #ifndef ALGSURF_PICTURE_COLOURS_H
 #define ALGSURF_PICTURE_COLOURS_H
 #include "../beams/rows.h"
@@ -45,5 +45,22 @@ void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, alg
 /* Of entry i of `looks`. */
 void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position[3], const double normal[3],
                         const double direction[3], int i, const algsurf_i_looks *looks);
+
+/* ---- srgb.c: from linear light to the bytes of sRGB (IEC 61966-2-1) ---- */
+
+#define SRGB_STEPS 4096 /* of linear light, from 0 to 1: next to black one is 0.8 of a byte */
+
+/* The byte of each step. */
+void algsurf_i_srgb_curve(uint8_t curve[SRGB_STEPS]);
+
+/* The step of 0 <= light <= 1.  The casts round where C computes with more than floats. */
+static inline int algsurf_i_srgb_step(float light) {
+    return (int)(float)((float)((SRGB_STEPS - 1) * light) + 0.5f);
+}
+
+/* The byte of 0 <= light <= 1. */
+static inline uint8_t algsurf_i_byte_of(const uint8_t curve[SRGB_STEPS], double light) {
+    return curve[algsurf_i_srgb_step((float)light)];
+}
 
 #endif

@@ -6,7 +6,6 @@
 #define ALGSURF_COLOURS_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "colours.h"
-#include "srgb.h"
 
 #define FARTHEST_PLACE 0x1p40
 #define NEAREST_SQUARED 0x1p-100

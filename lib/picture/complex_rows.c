@@ -46,7 +46,7 @@ static void end_row(algsurf_i_worker *worker, int row, int begin, int end) {
 static int begin_row(algsurf_i_worker *worker, double y, double sx, algsurf_i_row_job *job, int *begin,
                      int *end) {
     const algsurf_i_picture *picture = worker->picture;
-    algsurf_i_make_row(picture, y, sx, &worker->form, job);
+    algsurf_i_make_row(picture, y, sx, 1, &worker->form, job);
     int misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, begin, end);
     if (*begin < *end) algsurf_i_row_expand(&picture->geometry->frame, worker->form.v, &worker->form);
     return misses;

@@ -15,20 +15,16 @@
 
 #include <math.h>
 
-void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
-                        algsurf_i_row_job *job) {
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, int dense,
+                        algsurf_i_row_form *form, algsurf_i_row_job *job) {
     const algsurf_i_geometry *p = picture->geometry;
     const algsurf_i_view *view = &p->frame.view;
     form->v = p->v0 + p->rays.du * ((0.5 * picture->height - y) * p->rays.pixel);
     *job = p->rays;
     job->row = form;
-    job->offset += sx;
-    job->slope = view->alpha * form->v + view->beta[1];
-}
-
-void algsurf_i_make_dense(const algsurf_i_picture *picture, int dense, algsurf_i_row_job *job) {
-    job->offset = 0.5 - 0.5 * picture->width * dense;
+    job->offset = dense > 1 ? 0.5 - 0.5 * picture->width * dense : job->offset + sx;
     job->pixel /= dense;
+    job->slope = view->alpha * form->v + view->beta[1];
 }
 
 /* The error bounds of forms hold for rays that stay within this of the view's centre in x and y, over the

@@ -255,12 +255,10 @@ algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const
  * sets line.wanted. */
 algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
 
-/* The job of the row y from the top, through offset sx in each pixel, without its form's coefficients. */
-void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
-                        algsurf_i_row_job *job);
-
-/* The job for so many samples side by side in each pixel. */
-void algsurf_i_make_dense(const algsurf_i_picture *picture, int dense, algsurf_i_row_job *job);
+/* The job of the row y from the top, through offset sx in each pixel, or through all of `dense` > 1 samples
+ * side by side; without its form's coefficients. */
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, int dense,
+                        algsurf_i_row_form *form, algsurf_i_row_job *job);
 
 /* The pixels begin <= x < end, multiples of `step`, all of whose rays between two heights, counted in pixels
  * from the top, are within the bounds of forms; the last `step` pixels may reach beyond the picture.  Returns

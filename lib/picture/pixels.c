@@ -199,7 +199,7 @@ int algsurf_i_solve_row(algsurf_i_worker *worker, int row, double sx, double sy)
     const algsurf_i_band *band = algsurf_i_band_of(worker, row);
     int undecided = 0;
     t->dips.count = t->pixels = 0;
-    algsurf_i_make_row(worker->picture, row + sy, sx, &worker->form, &job);
+    algsurf_i_make_row(worker->picture, row + sy, sx, 1, &worker->form, &job);
     if (band)
         collect(worker, band, row, sx, sy);
     else
@@ -221,8 +221,7 @@ int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy) {
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
     worker->tiling.dips.count = 0;
-    algsurf_i_make_row(worker->picture, row + sy, 0.5, &worker->form, &job);
-    algsurf_i_make_dense(worker->picture, dense, &job);
+    algsurf_i_make_row(worker->picture, row + sy, 0.5, dense, &worker->form, &job);
     collect_listed(worker, row);
     int undecided = find_pixels(worker, &job);
     worker->tally->stats.rays += (uint64_t)(dense * line->wanted_count);

@@ -5,7 +5,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "srgb.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"

@@ -9,7 +9,6 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "srgb.h"
 
 #include <math.h>
 #include <string.h>

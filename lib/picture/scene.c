@@ -190,7 +190,9 @@ algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coheren
     return ALGSURF_OK;
 }
 
-void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *radius) {
+/* A ball about what is shown: the extent's own; for all of space the one about the origin that fills the
+ * height of the picture. */
+static void set_ball(const algsurf_scene *scene, double centre[3], double *radius) {
     const algsurf_extent *extent = &scene->extent;
     const algsurf_camera *camera = &scene->camera;
     for (int i = 0; i < 3; i++) centre[i] = extent->kind == ALGSURF_EXTENT_ALL ? 0 : extent->centre[i];
@@ -233,7 +235,7 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
         lighting->up[i] = scene->camera.up[i];
         lighting->forward[i] = scene->camera.forward[i];
     }
-    algsurf_i_scene_ball(scene, lighting->centre, &lighting->radius);
+    set_ball(scene, lighting->centre, &lighting->radius);
     for (int l = 0; l < scene->light_count; l++) lights[l] = scene->lights[l];
     if (scene->light_count < 0) default_light(&scene->camera, lighting->centre, lighting->radius, lights);
 }

@@ -26,10 +26,6 @@ struct algsurf_scene {
     algsurf_coherence coherence;
 };
 
-/* A ball about what is shown: the extent's own; for all of space the one about the origin that fills
- * the height of the picture. */
-void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *radius);
-
 /* algsurf_scene_get_lighting for checked arguments, in the standard floating-point environment. */
 void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                               algsurf_lighting *lighting);

@@ -1,14 +1,13 @@
-/* srgb.c - see srgb.h.
+/* srgb.c - the bytes of sRGB; see colours.h.
  *
  * The curve is linear next to black and a power of 2.4 above it.  What it makes of the steps is stored, as no
  * libm may decide a byte: tests/test_srgb.c computes it again. */
 #include "../base/arithmetic.h"
-#include "srgb.h"
+#include "colours.h"
 
 #include "../base/elementary.h"
 #include "../base/fpenv.h"
 #include "../base/vec.h"
-#include "algsurf/shade.h"
 
 /* The first step of the bytes 1, 2 ... 255: 255 curve(step / 4095) >= byte - 1/2. */
 static const uint16_t first_step[255] = {

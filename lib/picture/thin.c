@@ -109,8 +109,7 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
     algsurf_i_row_job job;
     if (line->wanted) keep_wanted(line, dips);
     if (dips->count == 0) return;
-    algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    if (line->dense > 1) algsurf_i_make_dense(picture, line->dense, &job);
+    algsurf_i_make_row(picture, row + sy, sx, line->dense, &worker->form, &job);
     const algsurf_i_point_job points = {scene->surface, &job, NULL, 0};
     picture->code->find_thin(&points, dips, worker->tiling.thin, along);
     for (int i = 0; i < dips->count; i++) {

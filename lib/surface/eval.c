@@ -22,7 +22,6 @@
 #include "../base/arithmetic.h"
 #include <limits.h>
 #include <math.h>
-#include <stddef.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
