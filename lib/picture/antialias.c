@@ -8,9 +8,6 @@
  * middles alone would have, with alpha, whether a byte of it is asked for or not: what is chosen does not
  * hang on which planes are.  Where there are tiles only pixels of leaves are compared: through the
  * others, by proof, no edge goes.
- *
- * In complex space a row's middles and its first pass begin without roots of others: which ones there were
- * would depend on how rows are shared out.
  */
 #include "../base/arithmetic.h"
 #include <string.h>

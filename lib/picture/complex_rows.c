@@ -7,8 +7,8 @@
  *   not tell where the iteration began;
  * - which pixels are left to the single ray may depend on the start.  So rows begin anew at multiples of
  *   ALGSURF_I_BAND, counted from the top of the picture, and whoever begins elsewhere solves the rows before,
- *   from there on.  Where a pixel has several samples, a row's first pass begins anew, and each other one
- *   starts from the pass before. */
+ *   from there on.  Where a pixel has several samples, a row's middles and its first pass begin anew, and
+ *   each other pass starts from the one before. */
 #include "../base/arithmetic.h"
 #include <math.h>
 #include <string.h>

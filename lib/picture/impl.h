@@ -1,8 +1,5 @@
 /* impl.h - a picture in the making: what all its rows share, a row and its tiles, what each thread draws
- * with, and the steps of a row.
- *
- * render.c checks and prepares it, allocate.c gives it memory, threads.c hands out its rows, row.c draws
- * them. */
+ * with, and the steps of a row. */
 #ifndef ALGSURF_RENDER_IMPL_H
 #define ALGSURF_RENDER_IMPL_H
 #include <stdatomic.h>
@@ -136,14 +133,9 @@ typedef struct algsurf_i_predictor {
     int row; /* whose they are; -1: of no use */
 } algsurf_i_predictor;
 
-/* Rows: in complex space one in so many begins without roots from above; those up to the next one are drawn
- * together. */
-#define ALGSURF_I_BAND 16
+#define ALGSURF_I_BAND 16 /* rows of complex space that are drawn together */
 
-/* ---- tiles, a band of rows at a time ----
- *
- * A tile is searched as one (tiles_template.h): all its rays miss, or each sees the same sheet of the
- * surface, or it is quartered.  The pixels of what is left, leaves, are solved side by side (pixels.c). */
+/* ---- tiles, a band of rows at a time ---- */
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 

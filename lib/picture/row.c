@@ -61,10 +61,10 @@ static void add_points(const algsurf_i_line *line, int all_hit) {
 
 /* The average over all samples of pixel x; those without a point show the background.  Where there is none,
  * alpha is the share of the others, and the average is over them. */
-static void store_average(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all, int x,
-                          int channels, uint8_t *pixel) {
+static void store_average(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int x, int channels,
+                          uint8_t *pixel) {
     const algsurf_scene *scene = picture->scene;
-    int samples = shown->samples[x];
+    int all = scene->antialias * scene->antialias, samples = shown->samples[x];
     const double *sum = shown->sum + 3 * x;
     double share = 1.0 / all, weight = scene->transparent && channels == 4 ? 1.0 / samples : share;
     for (int k = 0; k < 3; k++) {
@@ -103,13 +103,13 @@ static void clear(const algsurf_i_picture *picture, int x, int count, const algs
 /* What pixel x shows through all its samples. */
 static void store_pixel(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int x,
                         const algsurf_picture *to) {
-    const int n = picture->scene->antialias, channels = algsurf_i_channels(to);
+    const int channels = algsurf_i_channels(to);
     if (to->way) to->way[x] = shown->way[x];
     if (shown->samples[x] == 0) {
         clear(picture, x, 1, to);
         return;
     }
-    if (to->pixels) store_average(picture, shown, n * n, x, channels, to->pixels + channels * x);
+    if (to->pixels) store_average(picture, shown, x, channels, to->pixels + channels * x);
     if (to->t) to->t[x] = shown->nearest[x];
     if (to->state) to->state[x] = shown->state[x];
     for (int k = 0; to->normals && k < 3; k++) to->normals[3 * x + k] = (float)shown->normal[3 * x + k];

@@ -148,16 +148,6 @@ static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_light
 }
 
 /* A point, by the code of pictures. */
-static void find_colour(const algsurf_i_colour_job *job, const double point[3], const double normal[3],
-                        const double direction[3], const double *visible, double colour[3]) {
-    float place[3], facing[3], along[3], shown[3];
-    const algsurf_i_looks looks = {
-        {place, place + 1, place + 2}, {facing, facing + 1, facing + 2}, {along, along + 1, along + 2}};
-    algsurf_i_set_look(&job->frame, point, normal, direction, 0, &looks);
-    algsurf_i_colour_baseline.colours(job, &looks, 1, visible, shown, NULL);
-    for (int k = 0; k < 3; k++) colour[k] = shown[k];
-}
-
 static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int preview,
                                              const double *visible, const double point[3],
                                              const double normal[3], const double direction[3],
@@ -165,6 +155,9 @@ static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int 
     algsurf_lighting lighting;
     algsurf_material material;
     algsurf_i_colour_job job;
+    float place[3], facing[3], along[3], shown[3];
+    const algsurf_i_looks looks = {
+        {place, place + 1, place + 2}, {facing, facing + 1, facing + 2}, {along, along + 1, along + 2}};
     if (!point || !normal || !direction || !colour) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point) || !algsurf_is_finite3(normal) || !algsurf_is_finite3(direction))
         return ALGSURF_E_NOT_FINITE;
@@ -174,7 +167,9 @@ static ALGSURF_NOINLINE algsurf_status shade(const algsurf_lighting *given, int 
     if (visible) status = check_range(visible, (int)lighting.light_count + 1, 1);
     if (status != ALGSURF_OK) return status;
     algsurf_i_colour_prepare(&lighting, preview, &job);
-    find_colour(&job, point, normal, direction, visible, colour);
+    algsurf_i_set_look(&job.frame, point, normal, direction, 0, &looks);
+    algsurf_i_colour_baseline.colours(&job, &looks, 1, visible, shown, NULL);
+    for (int k = 0; k < 3; k++) colour[k] = shown[k];
     return ALGSURF_OK;
 }
 

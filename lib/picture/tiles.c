@@ -33,15 +33,6 @@ int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geomet
            side * n * n <= (picture->thin || scene->extent.kind == ALGSURF_EXTENT_ALL ? FEW_MORE : FEW);
 }
 
-/* The lists of a level, in their part of the memory. */
-static void lay_out_lists(const algsurf_i_tiling *t, int level, int rows, int stride, tile_list *lists) {
-    int room = stride * (LEVELS_ROWS / rows), offset = level % 2 * stride * LEVELS_ROWS;
-    for (int r = 0; r < rows; r++) {
-        lists[r].at = t->at + offset + r * room;
-        lists[r].from = t->from + offset + r * room;
-    }
-}
-
 static void take_all(int size, int begin, int end, tile_list *list) {
     list->count = 0;
     for (int x = begin; x < end; x += size) {
@@ -108,11 +99,13 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
                               .tiles = band->tiles};
     tile_list lists[2][LEVELS_ROWS];
     uint64_t all = 0, quartered = 0;
+    for (int i = 0; i < 2 * LEVELS_ROWS; i++)
+        lists[i / LEVELS_ROWS][i % LEVELS_ROWS] =
+            (tile_list){0, t->at + i * job.stride, t->from + i * job.stride};
     job.size = ALGSURF_I_TILES;
     for (int level = 0; job.size >= ALGSURF_I_LEAF; level++, job.size /= 2) {
         int rows = ALGSURF_I_TILES / job.size;
         tile_list *list = lists[level % 2], *larger = lists[(level + 1) % 2];
-        lay_out_lists(t, level, rows, job.stride, list);
         for (int r = 0; r < rows; r++) {
             job.y = job.from_y + r * job.size;
             if (level == 0)

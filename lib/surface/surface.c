@@ -57,9 +57,8 @@ static algsurf_status merge_terms(placed_term *sorted, size_t *count) {
         if (!isfinite(sum.a)) return ALGSURF_E_RANGE;
         if (sum.a == 0) continue;
         if (sum.i > ALGSURF_MAX_DEGREE || sum.j > ALGSURF_MAX_DEGREE || sum.k > ALGSURF_MAX_DEGREE ||
-            sum.i + sum.j + sum.k > ALGSURF_MAX_DEGREE) {
+            sum.i + sum.j + sum.k > ALGSURF_MAX_DEGREE)
             return ALGSURF_E_DEGREE;
-        }
         sorted[kept++].term = sum;
     }
     *count = kept;
@@ -126,18 +125,16 @@ static int balanced_unit(const degree_summary *of, int n) {
 /* The scale that brings the largest coefficient into [1/2, 1). */
 static int scale_for(const degree_summary *of, int n, int unit) {
     int top = INT_MIN;
-    for (int k = 0; k <= n; k++) {
+    for (int k = 0; k <= n; k++)
         if (of[k].top != INT_MIN && of[k].top + unit * k > top) top = of[k].top + unit * k;
-    }
     return -top;
 }
 
 /* Does some coefficient have bits below 2^-1074 in this unit? */
 static int loses_bits(const degree_summary *of, int n, int unit) {
     int scale = scale_for(of, n, unit);
-    for (int k = 0; k <= n; k++) {
+    for (int k = 0; k <= n; k++)
         if (of[k].top != INT_MIN && of[k].low + unit * k + scale < -1074) return 1;
-    }
     return 0;
 }
 
@@ -179,13 +176,16 @@ static algsurf_status lay_out_rows(algsurf_surface *s, size_t *coef_count) {
     return ALGSURF_OK;
 }
 
+/* Unit, scale and coefficients in them. */
 static algsurf_status lay_out(algsurf_surface *s) {
     size_t coef_count;
+    choose_unit(s);
     algsurf_status status = lay_out_rows(s, &coef_count);
     if (status != ALGSURF_OK) return status;
     s->coef = malloc(coef_count * sizeof *s->coef);
     if (!s->coef) return ALGSURF_E_NO_MEMORY;
     s->smallest = 1;
+    s->stride[0] = s->stride[1] = s->stride[2] = 2;
     for (size_t c = 0; c < coef_count; c++) s->coef[c] = 0.0;
     for (size_t t = 0; t < s->term_count; t++) {
         const algsurf_term *term = &s->terms[t];
@@ -194,18 +194,11 @@ static algsurf_status lay_out(algsurf_surface *s) {
         s->coef[row->first + (size_t)term->i] = coef;
         if (coef != 0 && fabs(coef) < s->smallest) s->smallest = fabs(coef);
         s->size += fabs(coef);
+        if (term->i % 2) s->stride[0] = 1;
+        if (term->j % 2) s->stride[1] = 1;
+        if (term->k % 2) s->stride[2] = 1;
     }
     return ALGSURF_OK;
-}
-
-static void set_strides(algsurf_surface *s) {
-    int odd[3] = {0, 0, 0};
-    for (size_t t = 0; t < s->term_count; t++) {
-        odd[0] |= s->terms[t].i % 2;
-        odd[1] |= s->terms[t].j % 2;
-        odd[2] |= s->terms[t].k % 2;
-    }
-    for (int axis = 0; axis < 3; axis++) s->stride[axis] = odd[axis] ? 1 : 2;
 }
 
 ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error,
@@ -215,20 +208,13 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
     s->error = error * (1 + 0x1p-20);
     s->rounding = rounding;
     algsurf_status status = store_terms(s, terms, count);
-    if (status == ALGSURF_OK) {
-        choose_unit(s);
-        status = lay_out(s);
-    }
-    if (status == ALGSURF_OK) {
-        set_strides(s);
-        if (!algsurf_i_surface_set_tables(s)) status = ALGSURF_E_NO_MEMORY;
-    }
+    if (status == ALGSURF_OK) status = lay_out(s);
+    if (status == ALGSURF_OK && !algsurf_i_surface_set_tables(s)) status = ALGSURF_E_NO_MEMORY;
     if (status == ALGSURF_OK) status = algsurf_i_surface_find_power(s);
-    if (status == ALGSURF_OK) {
+    if (status == ALGSURF_OK)
         *surface = s;
-    } else {
+    else
         algsurf_surface_free(s);
-    }
     return status;
 }
 

@@ -36,12 +36,8 @@ typedef struct solid {
     algsurf_dd *q;
 } solid;
 
-/* A world coordinate, c[0] + c[1] x + c[2] y + c[3] z. */
-typedef struct linear {
-    algsurf_dd c[4];
-} linear;
-
-static void times_linear(solid *p, const linear *l, int side) {
+/* p *= l[0] + l[1] x + l[2] y + l[3] z. */
+static void times_linear(solid *p, const algsurf_dd l[4], int side) {
     if (p->degree < 0) return;
     const algsurf_dd zero = {0, 0};
     int d = ++p->degree;
@@ -49,10 +45,10 @@ static void times_linear(solid *p, const linear *l, int side) {
         for (int j = d - i; j >= 0; j--)
             for (int k = d - i - j; k >= 0; k--) {
                 algsurf_dd *q = p->q + (i * side + j) * side + k;
-                algsurf_dd sum = i + j + k < d ? algsurf_dd_mul(l->c[0], *q) : zero;
-                if (i > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l->c[1], q[-side * side]));
-                if (j > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l->c[2], q[-side]));
-                if (k > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l->c[3], q[-1]));
+                algsurf_dd sum = i + j + k < d ? algsurf_dd_mul(l[0], *q) : zero;
+                if (i > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l[1], q[-side * side]));
+                if (j > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l[2], q[-side]));
+                if (k > 0) sum = algsurf_dd_add(sum, algsurf_dd_mul(l[3], q[-1]));
                 *q = sum;
             }
 }
@@ -83,19 +79,19 @@ static size_t cube(int degree) {
 size_t algsurf_i_frame_memory(int degree) { return 3 * cube(degree) * sizeof(algsurf_dd); }
 
 /* The surface's rows and levels in world coordinates that are linear in (x,y,z); `of` each coefficient. */
-static solid in_view_axes(const algsurf_surface *s, double (*of)(double), const linear world[3],
+static solid in_view_axes(const algsurf_surface *s, double (*of)(double), algsurf_dd world[3][4],
                           algsurf_dd *memory) {
     int side = s->degree + 1;
     solid total = {-1, memory}, level = {-1, memory + cube(s->degree)}, row = {-1, level.q + cube(s->degree)};
     for (int k = s->level_count - 1; k >= 0; k--) {
-        times_linear(&total, &world[2], side);
+        times_linear(&total, world[2], side);
         level.degree = -1;
         for (int j = s->levels[k].count - 1; j >= 0; j--) {
             const algsurf_row *r = s->rows + s->levels[k].first + j;
-            times_linear(&level, &world[1], side);
+            times_linear(&level, world[1], side);
             row.degree = -1;
             for (int i = r->length - 1; i >= 0; i--) {
-                times_linear(&row, &world[0], side);
+                times_linear(&row, world[0], side);
                 add_constant(&row, of(s->coef[r->first + (size_t)i]));
             }
             add_solid(&level, &row, side);
@@ -124,26 +120,18 @@ static double set_sizes(algsurf_i_frame_form *frame, const solid *p) {
     return whole;
 }
 
-static void take_magnitudes(linear world[3]) {
-    for (int axis = 0; axis < 3; axis++)
-        for (int k = 0; k < 4; k++) {
-            algsurf_dd *c = &world[axis].c[k];
-            if (c->hi < 0) *c = algsurf_dd_neg(*c);
-        }
-}
-
 int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame, void *memory) {
     const algsurf_i_view *view = &frame->view;
     int n = s->degree, side = n + 1;
     double reach[3], shown[3];
-    linear world[3];
+    algsurf_dd world[3][4]; /* the world's coordinates, linear in x, y, z */
     for (int axis = 0; axis < 3; axis++) {
-        world[axis].c[0] = algsurf_dd_from(view->centre[axis]);
+        world[axis][0] = algsurf_dd_from(view->centre[axis]);
         reach[axis] = shown[axis] = fabs(view->centre[axis]);
         for (int k = 0; k < 3; k++) {
-            world[axis].c[k + 1] = algsurf_two_prod(view->size, view->axis[k][axis]);
-            reach[axis] += 4 * fabs(world[axis].c[k + 1].hi);
-            shown[axis] += fabs(world[axis].c[k + 1].hi) * (1 + 0x1p-20);
+            world[axis][k + 1] = algsurf_two_prod(view->size, view->axis[k][axis]);
+            reach[axis] += 4 * fabs(world[axis][k + 1].hi);
+            shown[axis] += fabs(world[axis][k + 1].hi) * (1 + 0x1p-20);
         }
     }
     solid p = in_view_axes(s, plain, world, memory);
@@ -161,7 +149,9 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
     algsurf_i_power_basis(frame->basis, n);
     frame->spread = s->error;
     if (s->error > 0) {
-        take_magnitudes(world);
+        for (int axis = 0; axis < 3; axis++)
+            for (int k = 0; k < 4; k++)
+                if (world[axis][k].hi < 0) world[axis][k] = algsurf_dd_neg(world[axis][k]);
         p = in_view_axes(s, fabs, world, memory);
     }
     /* so that no sum overflows on the way to a value, |x|, |y| <= 4, nor between the units of a split */
