@@ -19,39 +19,34 @@
 #include <xmmintrin.h>
 #define ALGSURF_MXCSR_STANDARD 0x1f80u /* all exceptions masked, nearest, FTZ and DAZ off */
 #define ALGSURF_MXCSR_CONTROL 0xffc0u  /* everything but the six sticky flags */
-typedef struct {
-    unsigned mxcsr;
-#if defined(__i386__) || defined(_WIN32)
-    unsigned x87[7];
-#endif
-} algsurf_fpenv;
 #if defined(__i386__) || defined(_WIN32)
 /* The x87 unit: 32-bit functions return doubles through it, and libm computes there, on Windows also in 64
  * bits, where a new thread starts with a precision of 53 bits.  All exceptions masked, nearest, 64 bits.  Its
  * stack has to be empty meanwhile, which the clobbers ask for. */
 #define ALGSURF_X87_STANDARD 0x37f
 #define ALGSURF_X87_STACK "st", "st(1)", "st(2)", "st(3)", "st(4)", "st(5)", "st(6)", "st(7)"
-static inline void algsurf_fpenv_enter_x87(algsurf_fpenv *saved) {
-    const unsigned short standard = ALGSURF_X87_STANDARD;
-    __asm__ volatile("fnstenv %0" : "=m"(saved->x87)::ALGSURF_X87_STACK);
-    __asm__ volatile("fldcw %0" ::"m"(standard));
-}
-static inline void algsurf_fpenv_leave_x87(const algsurf_fpenv *saved) {
-    __asm__ volatile("fldenv %0" ::"m"(saved->x87) : ALGSURF_X87_STACK);
-}
-#else
-static inline void algsurf_fpenv_enter_x87(algsurf_fpenv *saved) { (void)saved; }
-static inline void algsurf_fpenv_leave_x87(const algsurf_fpenv *saved) { (void)saved; }
 #endif
+typedef struct {
+    unsigned mxcsr;
+#ifdef ALGSURF_X87_STANDARD
+    unsigned x87[7];
+#endif
+} algsurf_fpenv;
 static inline void algsurf_fpenv_enter(algsurf_fpenv *saved) {
     saved->mxcsr = _mm_getcsr();
     if ((saved->mxcsr & ALGSURF_MXCSR_CONTROL) != ALGSURF_MXCSR_STANDARD) _mm_setcsr(ALGSURF_MXCSR_STANDARD);
-    algsurf_fpenv_enter_x87(saved);
+#ifdef ALGSURF_X87_STANDARD
+    const unsigned short standard = ALGSURF_X87_STANDARD;
+    __asm__ volatile("fnstenv %0" : "=m"(saved->x87)::ALGSURF_X87_STACK);
+    __asm__ volatile("fldcw %0" ::"m"(standard));
+#endif
     __asm__ volatile("" ::: "memory");
 }
 static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) {
     __asm__ volatile("" ::: "memory");
-    algsurf_fpenv_leave_x87(saved);
+#ifdef ALGSURF_X87_STANDARD
+    __asm__ volatile("fldenv %0" ::"m"(saved->x87) : ALGSURF_X87_STACK);
+#endif
     _mm_setcsr(saved->mxcsr);
 }
 #elif defined(__aarch64__)
