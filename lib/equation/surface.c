@@ -75,28 +75,21 @@ static algsurf_status make_names(parser *p, const algsurf_constant *constants, s
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status make(parser *p, const algsurf_constant *constants, size_t count,
-                                            algsurf_surface **surface) {
-    algsurf_status status = check_constants(constants, count);
-    if (status == ALGSURF_OK) status = make_names(p, constants, count);
-    if (status == ALGSURF_OK && !algsurf_i_parse_equation(p)) status = p->status;
-    if (status == ALGSURF_OK) status = to_surface(&p->value[0].p, p->at, surface, &p->error);
-    while (p->values > 0) algsurf_i_value_free(&p->value[--p->values]);
-    algsurf_i_names_free(&p->names);
-    free(p->definition);
-    return status;
-}
-
-algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
-                                             size_t count, algsurf_surface **surface,
-                                             algsurf_parse_error *error) {
+ALGSURF_I_ENTRY(algsurf_status, surface_from_equation,
+                (const char *text, const algsurf_constant *constants, size_t count, algsurf_surface **surface,
+                 algsurf_parse_error *error),
+                (text, constants, count, surface, error)) {
     if (!text || !surface || (count > 0 && !constants)) return ALGSURF_E_ARGUMENT;
     parser p = {.text = text};
-    algsurf_status status;
-    ALGSURF_STANDARD(status = make(&p, constants, count, surface));
-    if (error && p.error.message) {
-        *error = p.error;
-        if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);
-    }
+    algsurf_status status = check_constants(constants, count);
+    if (status == ALGSURF_OK) status = make_names(&p, constants, count);
+    if (status == ALGSURF_OK && !algsurf_i_parse_equation(&p)) status = p.status;
+    if (status == ALGSURF_OK) status = to_surface(&p.value[0].p, p.at, surface, &p.error);
+    while (p.values > 0) algsurf_i_value_free(&p.value[--p.values]);
+    algsurf_i_names_free(&p.names);
+    free(p.definition);
+    if (!error || !p.error.message) return status;
+    *error = p.error;
+    if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);
     return status;
 }

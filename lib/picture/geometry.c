@@ -51,24 +51,22 @@ static int is_clear(const clearance *g, double u, int side) {
     return g->square > SURE && side * slope > 0 && (slope - g->half) * u + g->rest > SURE * (1 + u * u);
 }
 
-/* Pixels side by side: position X, counted from the picture's edge, is at u = middle + per (X - half). */
-typedef struct pixel_line {
-    double middle, per, half;
-    int count;
-} pixel_line;
-
 /* From the first edge (side -1) or the last one (1) on: the last multiple of `step` up to which all is surely
  * clear, by halving; or the edge itself. */
-static int clear_up_to(const pixel_line *l, const clearance *g, int side, int step) {
-    int edge = side < 0 ? 0 : l->count, clear = 0, open = (l->count + step - 1) / step;
+static int clear_up_to(const algsurf_i_picture *picture, const clearance *g, int side, int step) {
+    const algsurf_i_row_job *rays = &picture->geometry->rays;
+    const double per = rays->du * rays->pixel;
+    const int width = picture->width;
+    int clear = 0, open = (width + step - 1) / step;
     while (open - clear > 1) {
-        int steps = (clear + open) / 2, position = side < 0 ? steps * step : (l->count / step - steps) * step;
-        if (is_clear(g, l->middle + l->per * (position - l->half), l->per > 0 ? side : -side))
+        int steps = (clear + open) / 2, position = side < 0 ? steps * step : (width / step - steps) * step;
+        if (is_clear(g, rays->u0 + per * (position - 0.5 * width), per > 0 ? side : -side))
             clear = steps;
         else
             open = steps;
     }
-    return clear == 0 ? edge : side < 0 ? clear * step : (l->count / step - clear) * step;
+    if (side < 0) return clear * step;
+    return clear == 0 ? width : (width / step - clear) * step;
 }
 
 int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int step,
@@ -78,7 +76,6 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
     const double spread = 1 + fabs(view->alpha), per = p->rays.du * p->rays.pixel,
                  middle = 0.5 * picture->height;
     const double v0 = p->v0 + per * (middle - top), v1 = p->v0 + per * (middle - bottom);
-    const pixel_line line = {p->rays.u0, per, 0.5 * picture->width, picture->width};
     const int endless = picture->scene->extent.kind == ALGSURF_EXTENT_ALL, one_row = top == bottom;
     clearance rows = {0, 0, 0}, pixels = {0, 0, 0}; /* never */
     if (!endless) {
@@ -91,10 +88,11 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
         (is_clear(&rows, v0, -1) && is_clear(&rows, v1, -1)))
         return 1;
     if (!(fmax(fabs(v0), fabs(v1)) * spread + fabs(view->beta[1]) < BOUND)) return 0;
-    int first = clear_up_to(&line, &pixels, -1, step), last = clear_up_to(&line, &pixels, 1, step);
+    int first = clear_up_to(picture, &pixels, -1, step), last = clear_up_to(picture, &pixels, 1, step);
     if (first >= last) return 1;
     /* what is so many pixels or less from where u is 0 is within the bounds */
-    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per), zero = line.half - p->rays.u0 / per;
+    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per),
+           zero = 0.5 * picture->width - p->rays.u0 / per;
     double least = step * ceil((zero - room) / step), most = step * floor((zero + room) / step);
     if (!(fmax(least, first) < fmin(most, last))) return 0;
     *begin = (int)fmax(least, first);

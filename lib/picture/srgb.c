@@ -42,27 +42,23 @@ void algsurf_i_srgb_curve(uint8_t curve[SRGB_STEPS]) {
     }
 }
 
-static uint8_t byte_of(double light) {
-    float within = light < 0 ? 0 : light > 1 ? 1 : (float)light;
-    return (uint8_t)byte_of_step(algsurf_i_srgb_step(within), 0);
-}
-
-static double light_of(unsigned char byte) {
-    double shown = byte / 255.0;
-    return shown <= 0.04045 ? shown / 12.92 : algsurf_i_pow((shown + 0.055) / 1.055, 2.4);
-}
-
 ALGSURF_I_ENTRY(algsurf_status, srgb_encode, (const double colour[3], unsigned char bytes[3]),
                 (colour, bytes)) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(colour)) return ALGSURF_E_NOT_FINITE;
-    for (int k = 0; k < 3; k++) bytes[k] = byte_of(colour[k]);
+    for (int k = 0; k < 3; k++) {
+        float light = colour[k] < 0 ? 0 : colour[k] > 1 ? 1 : (float)colour[k];
+        bytes[k] = (unsigned char)byte_of_step(algsurf_i_srgb_step(light), 0);
+    }
     return ALGSURF_OK;
 }
 
 ALGSURF_I_ENTRY(algsurf_status, srgb_decode, (const unsigned char bytes[3], double colour[3]),
                 (bytes, colour)) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; k < 3; k++) colour[k] = light_of(bytes[k]);
+    for (int k = 0; k < 3; k++) {
+        double shown = bytes[k] / 255.0;
+        colour[k] = shown <= 0.04045 ? shown / 12.92 : algsurf_i_pow((shown + 0.055) / 1.055, 2.4);
+    }
     return ALGSURF_OK;
 }

@@ -7,13 +7,6 @@
 
 #define END_ON 0x1p-10 /* the sine of an angle */
 
-/* Of depth along the ray, for a t of 1. */
-static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *ray) {
-    const algsurf_i_view *view = &picture->geometry->frame.view;
-    double forward = algsurf_dot(ray->direction, picture->scene->camera.forward);
-    return ldexp(forward, -picture->scene->surface->unit) / view->size;
-}
-
 /* The direction from a line's axis, or a point, towards the viewer, as a normal; of a line that is seen from
  * its end, as of a point. */
 static void face(const double direction[3], const double along[3], double normal[3]) {
@@ -119,7 +112,9 @@ void algsurf_i_add_thin(algsurf_i_worker *worker, int row, double sx, double sy)
         algsurf_ray ray;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, (x + sx) / line->dense,
                              row + sy, &ray);
-        double per_t = depth_per_t(picture, &ray);
+        /* depth along the ray, for a t of 1 */
+        double per_t = ldexp(algsurf_dot(ray.direction, scene->camera.forward), -scene->surface->unit) /
+                       picture->geometry->frame.view.size;
         int point = point_of(line, x);
         if (is_hit && depth[i] > job.near + line->points.t[point] * per_t - job.thin_before) continue;
         const double t = (depth[i] - job.near) / per_t,

@@ -16,15 +16,6 @@ typedef struct undecided_pixels {
     double origin[3][GROUP], direction[3][GROUP];
 } undecided_pixels;
 
-static void add_pixel(undecided_pixels *d, int x, const algsurf_ray *ray) {
-    size_t i = d->count++;
-    d->pixel[i] = x;
-    for (int k = 0; k < 3; k++) {
-        d->origin[k][i] = ray->origin[k];
-        d->direction[k][i] = ray->direction[k];
-    }
-}
-
 /* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
  * counts it. */
 static void add_point(algsurf_i_worker *worker, int x, const algsurf_ray *ray, const algsurf_hit *hit) {
@@ -103,11 +94,16 @@ algsurf_status algsurf_i_solve_undecided(algsurf_i_worker *worker, double y, dou
         if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height,
                              line->dense > 1 ? (x + 0.5) / line->dense : x + sx, y, &ray);
-        if (scene->complex)
+        if (scene->complex) {
             solve_complex(worker, x, &ray);
-        else
-            add_pixel(&d, x, &ray);
-        if (d.count == GROUP) solve_group(worker, &d);
+            continue;
+        }
+        d.pixel[d.count] = x;
+        for (int k = 0; k < 3; k++) {
+            d.origin[k][d.count] = ray.origin[k];
+            d.direction[k][d.count] = ray.direction[k];
+        }
+        if (++d.count == GROUP) solve_group(worker, &d);
     }
     if (d.count > 0) solve_group(worker, &d);
     return ALGSURF_OK;

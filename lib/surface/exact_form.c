@@ -244,14 +244,8 @@ typedef struct scheme {
 
 static int exponent(const algsurf_term *t, int axis) { return axis == 0 ? t->i : axis == 1 ? t->j : t->k; }
 
-/* The bits of f0 and f1 together, in units of their lowest, with directions times 2^e. */
-static int bits_along(const exact_span *o, const exact_span *d, int e) {
-    int low = o->low < d->low + e ? o->low : d->low + e, top = o->top > d->top + e ? o->top : d->top + e;
-    return top - low;
-}
-
-/* The exponent of v: the sum of all bits is a convex function of it with corners where two lowest or two
- * highest bits meet. */
+/* The exponent of v: the sum of all bits of f0 and f1, in units of their lowest, is a convex function of it
+ * with corners where two lowest or two highest bits meet. */
 static int choose_exponent(const double origin[3], const double direction[3], int e) {
     exact_span o[3], d[3];
     int count = 0, best = e, best_bits = 0;
@@ -262,7 +256,10 @@ static int choose_exponent(const double origin[3], const double direction[3], in
     }
     for (int corner = 0; corner < 2 * count; corner++) {
         int i = corner / 2, bits = 0, at = corner % 2 ? o[i].top - d[i].top : o[i].low - d[i].low;
-        for (int j = 0; j < count; j++) bits += bits_along(&o[j], &d[j], at);
+        for (int j = 0; j < count; j++) {
+            int low = d[j].low + at, top = d[j].top + at;
+            bits += (o[j].top > top ? o[j].top : top) - (o[j].low < low ? o[j].low : low);
+        }
         if (corner == 0 || bits < best_bits) best = at, best_bits = bits;
     }
     return best;

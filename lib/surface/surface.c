@@ -36,10 +36,6 @@ static int compare_terms(const void *left, const void *right) {
     return (a->place > b->place) - (a->place < b->place);
 }
 
-static int same_exponents(const algsurf_term *a, const algsurf_term *b) {
-    return a->i == b->i && a->j == b->j && a->k == b->k;
-}
-
 static algsurf_status check_terms(const algsurf_term *terms, size_t count) {
     for (size_t t = 0; t < count; t++) {
         if (terms[t].i < 0 || terms[t].j < 0 || terms[t].k < 0) return ALGSURF_E_ARGUMENT;
@@ -53,7 +49,11 @@ static algsurf_status merge_terms(placed_term *sorted, size_t *count) {
     size_t kept = 0;
     for (size_t t = 0; t < *count;) {
         algsurf_term sum = sorted[t].term;
-        for (t++; t < *count && same_exponents(&sum, &sorted[t].term); t++) sum.a += sorted[t].term.a;
+        for (t++; t < *count; t++) {
+            const algsurf_term *next = &sorted[t].term;
+            if (next->i != sum.i || next->j != sum.j || next->k != sum.k) break;
+            sum.a += next->a;
+        }
         if (!isfinite(sum.a)) return ALGSURF_E_RANGE;
         if (sum.a == 0) continue;
         if (sum.i > ALGSURF_MAX_DEGREE || sum.j > ALGSURF_MAX_DEGREE || sum.k > ALGSURF_MAX_DEGREE ||
