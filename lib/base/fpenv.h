@@ -84,11 +84,7 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) { (void)feset
 #endif
 
 /* A function the compiler must not inline: the work between enter and leave. */
-#if defined(__GNUC__) || defined(__clang__)
 #define ALGSURF_NOINLINE __attribute__((noinline))
-#else
-#define ALGSURF_NOINLINE
-#endif
 
 /* The statement, in the standard environment: a call of a function that is not inlined. */
 #define ALGSURF_STANDARD(...)                                                                                \

@@ -17,9 +17,8 @@ static inline void algsurf_z_zero(algsurf_limb *a, int w) { memset(a, 0, (size_t
 /* r = a, extended by its sign or cut; may overlap. */
 void algsurf_z_copy(algsurf_limb *r, int w, const algsurf_limb *a, int wa);
 void algsurf_z_set(algsurf_limb *r, int w, int64_t a);
-static inline int algsurf_z_negative(const algsurf_limb *a, int w) {
-    return (int)(a[w - 1] >> 63);
-} /* 0, 1 */
+/* 0, 1. */
+static inline int algsurf_z_negative(const algsurf_limb *a, int w) { return (int)(a[w - 1] >> 63); }
 /* -1, 0, 1; most integers show their sign in the last limb. */
 static inline int algsurf_z_sign(const algsurf_limb *a, int w) {
     if (algsurf_z_negative(a, w)) return -1;

@@ -17,7 +17,7 @@ __extension__ typedef unsigned __int128 algsurf_wide;
 
 /* a + b + *carry; *carry is 0 or 1, before and after. */
 static inline algsurf_limb algsurf_limb_add(algsurf_limb a, algsurf_limb b, unsigned char *carry) {
-#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__)
+#if ALGSURF_HAS_WIDE && defined(__x86_64__)
     unsigned long long sum;
     *carry = __builtin_ia32_addcarryx_u64(*carry, a, b, &sum);
     return (algsurf_limb)sum;
@@ -33,7 +33,7 @@ static inline algsurf_limb algsurf_limb_add(algsurf_limb a, algsurf_limb b, unsi
  */
 static inline unsigned char algsurf_limb_add_to(algsurf_limb *r, algsurf_limb a, algsurf_limb b,
                                                 unsigned char carry) {
-#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if ALGSURF_HAS_WIDE && defined(__x86_64__) && !defined(__clang__)
     return __builtin_ia32_addcarryx_u64(carry, a, b, (unsigned long long *)(void *)r);
 #else
     *r = algsurf_limb_add(a, b, &carry);
@@ -47,7 +47,7 @@ static inline unsigned char algsurf_limb_sub_to(algsurf_limb *r, algsurf_limb a,
     borrow = __builtin_ia32_subborrow_u64(borrow, a, b, &difference);
     *r = (algsurf_limb)difference;
     return borrow;
-#elif ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__)
+#elif ALGSURF_HAS_WIDE && defined(__x86_64__)
     return __builtin_ia32_sbb_u64(borrow, a, b, (unsigned long long *)(void *)r);
 #else
     algsurf_limb partial = a - b;
@@ -82,23 +82,8 @@ static inline algsurf_limb algsurf_limb_product(algsurf_limb a, algsurf_limb b, 
 }
 
 /* Leading and trailing zeros of x, which is not 0. */
-static inline int algsurf_limb_leading(algsurf_limb x) {
-#if defined(__GNUC__)
-    return __builtin_clzll(x);
-#else
-    int n = 0;
-    for (int step = 32; step; step >>= 1)
-        if (!(x >> (64 - step))) n += step, x <<= step;
-    return n;
-#endif
-}
-static inline int algsurf_limb_trailing(algsurf_limb x) {
-#if defined(__GNUC__)
-    return __builtin_ctzll(x);
-#else
-    return 63 - algsurf_limb_leading(x & (0 - x));
-#endif
-}
+static inline int algsurf_limb_leading(algsurf_limb x) { return __builtin_clzll(x); }
+static inline int algsurf_limb_trailing(algsurf_limb x) { return __builtin_ctzll(x); }
 /* The least b with x < 2^b. */
 static inline int algsurf_limb_bits(algsurf_limb x) { return x ? 64 - algsurf_limb_leading(x) : 0; }
 
