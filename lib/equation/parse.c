@@ -171,14 +171,6 @@ static int parse_letters(parser *p) {
     return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'));
 }
 
-static int parse_series(parser *p, const algsurf_i_series_head *head) {
-    size_t offset = p->at;
-    p->at += head->width;
-    p->token = (algsurf_i_token){head->bracket, 0, 0};
-    return algsurf_i_parse_nested(p, offset, algsurf_i_parse_inside) &&
-           algsurf_i_parse_series(p, head, offset);
-}
-
 static int parse_name(parser *p) {
     if (p->at < p->letters_end) return parse_letters(p);
     const char *name = p->text + p->at;
@@ -195,7 +187,7 @@ static int parse_name(parser *p) {
     if (function % 3) return parse_sine(p, length, function % 3 - 1);
     if (function) return p->at += length, parse_root_of(p, parse_bracket);
     algsurf_i_series_head head;
-    if (algsurf_i_series_follows(name, &head)) return parse_series(p, &head);
+    if (algsurf_i_series_follows(name, &head)) return algsurf_i_parse_series(p, &head);
     for (size_t i = 0, letters; i < names->count; i += letters) {
         if (algsurf_i_series_follows(name + names->letter[i].at, &head)) {
             length = names->letter[i].at;

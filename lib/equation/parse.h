@@ -62,14 +62,14 @@ int algsurf_i_parse_defined(parser *p, const algsurf_i_definition *definition, s
 int algsurf_i_parse_povray(parser *p, int *is_one);
 
 /* series.c: T_n(a), U_n(a) and P_n(a).  Is that at the start of text?  *head becomes what it is, with all up
- * to its a.  The last value becomes that of the polynomial there. */
+ * to its a.  One value more: the one that begins at p->at. */
 typedef struct algsurf_i_series_head {
     size_t width;
     int kind, index; /* the place of its letter in T U P; n, at most 1000 */
     char bracket;    /* in which a stands */
 } algsurf_i_series_head;
 int algsurf_i_series_follows(const char *text, algsurf_i_series_head *head);
-int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head, size_t offset);
+int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head);
 
 /* steps.c: the operators.  Each checks its conditions and computes. */
 

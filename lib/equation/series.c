@@ -100,9 +100,13 @@ static void legendre(int n, algsurf_dd c[]) {
     }
 }
 
-int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head, size_t offset) {
-    value *v = algsurf_i_parse_top(p);
+int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head) {
+    size_t offset = p->at;
     int n = head->index;
+    p->at += head->width;
+    p->token = (algsurf_i_token){head->bracket, 0, 0};
+    if (!algsurf_i_parse_nested(p, offset, algsurf_i_parse_inside)) return 0;
+    value *v = algsurf_i_parse_top(p);
     if (n > 0 && algsurf_i_tripoly_degree(&v->p) * n > ALGSURF_MAX_DEGREE)
         return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this polynomial is above 64");
     if (n > ALGSURF_MAX_DEGREE) return algsurf_i_parse_refuse(p, offset, "expected an index up to 64");

@@ -100,7 +100,8 @@ static complex_t times_plus(complex_t a, complex_t x, complex_t b) {
 void algsurf_i_surface_gradient_complex(const algsurf_surface *s, const complex_t x[3],
                                         complex_t gradient[3]) {
     const complex_t zero = {0, 0};
-    complex_t v = zero, vx = zero, vy = zero, vz = zero;
+    complex_t v = zero;
+    gradient[0] = gradient[1] = gradient[2] = zero;
     for (int k = s->level_count - 1; k >= 0; k--) {
         const algsurf_row *row = s->rows + s->levels[k].first;
         complex_t level = zero, level_x = zero, level_y = zero;
@@ -115,14 +116,11 @@ void algsurf_i_surface_gradient_complex(const algsurf_surface *s, const complex_
             level_y = times_plus(level_y, x[1], level);
             level = times_plus(level, x[1], r);
         }
-        vx = times_plus(vx, x[2], level_x);
-        vy = times_plus(vy, x[2], level_y);
-        vz = times_plus(vz, x[2], v);
+        gradient[0] = times_plus(gradient[0], x[2], level_x);
+        gradient[1] = times_plus(gradient[1], x[2], level_y);
+        gradient[2] = times_plus(gradient[2], x[2], v);
         v = times_plus(v, x[2], level);
     }
-    gradient[0] = vx;
-    gradient[1] = vy;
-    gradient[2] = vz;
 }
 
 /* ---- bounds, in the caller's units ---- */
