@@ -44,11 +44,34 @@ static int definition_at(const char *text, size_t at, algsurf_i_definition *foun
     return text[found->end + 1 + algsurf_i_blanks(text + found->end + 1)] != '\0';
 }
 
+/* What stands about an equation. */
+static const struct {
+    const char *open, *close;
+} quotes[] = {
+    {"$$", "$$"},
+    {"$", "$"},
+    {"\\(", "\\)"},
+    {"\\[", "\\]"},
+    {"\\begin{equation}", "\\end{equation}"},
+    {"\\begin{equation*}", "\\end{equation*}"},
+    {"\\begin{align}", "\\end{align}"},
+    {"\\begin{align*}", "\\end{align*}"},
+    {"\\begin{displaymath}", "\\end{displaymath}"},
+    {"\\begin{math}", "\\end{math}"},
+    {"function {", "}"}, /* POV-Ray */
+    {"function{", "}"},
+    {"function(x,y,z) {", "}"},
+};
+
 /* Moves behind the sign that opens the equation, if one is there and none was. */
 static void take_open(parser *p) {
     (void)algsurf_i_parse_peek(p);
-    const algsurf_i_quotes *quotes = p->closing ? NULL : algsurf_i_quotes_at(p->text + p->at);
-    if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
+    for (size_t q = 0; !p->closing && q < sizeof quotes / sizeof *quotes; q++) {
+        const size_t length = strlen(quotes[q].open);
+        if (strncmp(p->text + p->at, quotes[q].open, length) != 0) continue;
+        p->at += length;
+        p->closing = quotes[q].close;
+    }
 }
 
 algsurf_status algsurf_i_definitions_find(parser *p) {

@@ -5,7 +5,7 @@
  * 800th only matter by being there: a double, or the midpoint of two, has at most 767 significant digits.
  */
 #include "../base/arithmetic.h"
-#include "read.h"
+#include "poly.h"
 
 #include "../base/integer.h"
 
@@ -13,6 +13,7 @@ enum {
     DIGITS = 800,        /* kept exactly */
     DECIMAL_LIMIT = 400, /* |decimal exponent| beyond this is out of range */
     BITS = 106,          /* of the quotient, at least */
+    TOO_LARGE = 4096,    /* the binary exponent of any number out of range */
     LIMBS = (10 * (DECIMAL_LIMIT + DIGITS + 1) / 3 + BITS) / 64 + 3 /* 10 < 2^(10/3) */
 };
 
@@ -79,7 +80,7 @@ static void scale(whole *a, long long power) {
 }
 
 /* above/below 2^exponent. */
-static algsurf_i_number quotient(whole *above, const whole *below, long long exponent) {
+static monomial quotient(whole *above, const whole *below, long long exponent) {
     algsurf_limb q[LIMBS + 1] = {0}, room[LIMBS + 1];
     int nv = below->length, bits = algsurf_z_bits(below->limb, nv + 1);
     int up = bits + BITS - algsurf_z_bits(above->limb, above->length + 1);
@@ -93,33 +94,33 @@ static algsurf_i_number quotient(whole *above, const whole *below, long long exp
     double low = (double)(algsurf_z_window(q, LIMBS, from) & mask);
     int more = algsurf_z_length(above->limb, nv) > 0 || algsurf_z_trailing(q, LIMBS) < from;
     algsurf_dd v = algsurf_fast_two_sum(high, (low + (more ? 0.5 : 0.0)) * 0x1p-52);
-    return (algsurf_i_number){v, (int)exponent - up + from + 52};
+    return algsurf_i_monomial_make(v, v.lo == 0 ? 0.0 : ALGSURF_DD_U * v.hi, (int)exponent - up + from + 52,
+                                   0);
 }
 
-static algsurf_i_reading read(const char *text, int radix, size_t *length, algsurf_i_number *number) {
+static size_t read(const char *text, int radix, monomial *m) {
     whole above = {{0}, 0}, below = {{1}, 1};
     int count = 0;
     long long exponent, point = 0;
     size_t prefix = radix == 16 ? 2 : 0, at = read_digits(text + prefix, radix, &above, &count, &point);
-    if (at == 0) return ALGSURF_I_NO_NUMBER;
+    if (at == 0) return 0;
     at += prefix;
-    *length = at + read_exponent(text + at, radix == 16 ? 'p' : 'e', &exponent);
-    *number = (algsurf_i_number){{0.0, 0.0}, 0};
+    at += read_exponent(text + at, radix == 16 ? 'p' : 'e', &exponent);
     long long size = exponent + (radix == 16 ? 4 : 1) * point; /* the number is less than 2^ or 10^ that */
-    if (count == 0 || size < (radix == 16 ? -4000 : -DECIMAL_LIMIT)) return ALGSURF_I_NUMBER;
-    if (size > (radix == 16 ? 2000 : DECIMAL_LIMIT)) return ALGSURF_I_NUMBER_TOO_LARGE;
+    int zero = count == 0 || size < (radix == 16 ? -4000 : -DECIMAL_LIMIT);
+    if (zero || size > (radix == 16 ? 2000 : DECIMAL_LIMIT)) {
+        *m = algsurf_i_monomial_make(algsurf_dd_from(!zero), 0, zero ? 0 : TOO_LARGE, 0);
+        return at;
+    }
     if (radix == 10) {
         scale(&above, size - count);
         scale(&below, count - size);
     }
-    *number = quotient(&above, &below, radix == 16 ? size - 4LL * count : 0);
-    return ALGSURF_I_NUMBER;
+    *m = quotient(&above, &below, radix == 16 ? size - 4LL * count : 0);
+    return at;
 }
 
-algsurf_i_reading algsurf_i_read_number(const char *text, size_t *length, algsurf_i_number *number) {
-    if (text[0] == '0' && (text[1] == 'x' || text[1] == 'X')) {
-        algsurf_i_reading hexadecimal = read(text, 16, length, number);
-        if (hexadecimal != ALGSURF_I_NO_NUMBER) return hexadecimal;
-    }
-    return read(text, 10, length, number);
+size_t algsurf_i_read_number(const char *text, monomial *m) {
+    size_t hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X') ? read(text, 16, m) : 0;
+    return hexadecimal ? hexadecimal : read(text, 10, m);
 }

@@ -139,10 +139,6 @@ algsurf_status algsurf_i_tripoly_make(monomial m, tripoly *out) {
     return deliver(status, &p, out);
 }
 
-void algsurf_i_tripoly_negate(tripoly *p) {
-    for (size_t t = 0; t < p->count; t++) p->m[t].v = algsurf_dd_neg(p->m[t].v);
-}
-
 int algsurf_i_tripoly_degree(const tripoly *p) {
     int degree = 0;
     for (size_t t = 0; t < p->count; t++) {

@@ -39,7 +39,6 @@ double algsurf_i_monomial_round(const monomial *m);
  * leaves +-2^20; then *out is untouched.  *out may not be an operand. */
 algsurf_status algsurf_i_tripoly_make(monomial m, tripoly *out);
 void algsurf_i_tripoly_free(tripoly *p);
-void algsurf_i_tripoly_negate(tripoly *p);
 int algsurf_i_tripoly_degree(const tripoly *p);      /* total; 0 for the zero polynomial */
 size_t algsurf_i_tripoly_most_terms(int degree);     /* of that degree */
 int algsurf_i_tripoly_is_constant(const tripoly *p); /* the zero polynomial is */
@@ -59,6 +58,13 @@ algsurf_status algsurf_i_tripoly_divide(tripoly *a, const monomial *b);
 
 /* *m *= by; the range is not checked. */
 void algsurf_i_monomial_multiply(monomial *m, const monomial *by);
+
+/* number.c.  The longest number at the start of text, without sign: digits with an optional point and an
+ * optional exponent, decimal (e) or hexadecimal (0x, p).  *m becomes it, right to 2^-104, or without an error
+ * if it is a double; the double next to it is what strtod returns in the "C" locale, as long as that is
+ * normal. Below 10^-400 or 2^-4000: zero.  Beyond 10^400 or 2^2000: another number that is too large for a
+ * double. Returns how many characters were read, 0 if there is no number.  Cost: linear in them. */
+size_t algsurf_i_read_number(const char *text, monomial *m);
 
 /* The square root of a constant >= 0. */
 monomial algsurf_i_monomial_sqrt(monomial m);

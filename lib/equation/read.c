@@ -250,24 +250,3 @@ int algsurf_i_number_follows(const char *text) {
 char algsurf_i_closing(int token) {
     return token == '(' ? ')' : token == '[' ? ']' : token == '{' ? '}' : '\0';
 }
-
-const algsurf_i_quotes *algsurf_i_quotes_at(const char *text) {
-    static const algsurf_i_quotes quotes[] = {
-        {"$$", "$$"},
-        {"$", "$"},
-        {"\\(", "\\)"},
-        {"\\[", "\\]"},
-        {"\\begin{equation}", "\\end{equation}"},
-        {"\\begin{equation*}", "\\end{equation*}"},
-        {"\\begin{align}", "\\end{align}"},
-        {"\\begin{align*}", "\\end{align*}"},
-        {"\\begin{displaymath}", "\\end{displaymath}"},
-        {"\\begin{math}", "\\end{math}"},
-        {"function {", "}"}, /* POV-Ray */
-        {"function{", "}"},
-        {"function(x,y,z) {", "}"},
-    };
-    for (size_t q = 0; q < sizeof quotes / sizeof *quotes; q++)
-        if (strncmp(text, quotes[q].open, strlen(quotes[q].open)) == 0) return &quotes[q];
-    return NULL;
-}

@@ -1,11 +1,9 @@
-/* read.h - what stands at a place of an equation, as people type and paste it: signs, letters, numbers,
- * names. */
+/* read.h - what stands at a place of an equation, as people type and paste it: signs, letters, names. */
 #ifndef ALGSURF_EQUATION_READ_H
 #define ALGSURF_EQUATION_READ_H
 #include <stddef.h>
 
 #include "algsurf/surface.h"
-#include "../base/eft.h"
 
 /* An ASCII character that is no letter, or one of these. */
 enum {
@@ -46,12 +44,6 @@ int algsurf_i_number_follows(const char *text);
 /* The bracket that closes what the token opens: ) ] }; 0 for all other tokens. */
 char algsurf_i_closing(int token);
 
-/* What stands about an equation, such as $ and $; null when the text starts with none. */
-typedef struct algsurf_i_quotes {
-    const char *open, *close;
-} algsurf_i_quotes;
-const algsurf_i_quotes *algsurf_i_quotes_at(const char *text);
-
 /* A letter of a name as it stands in the text, Latin, or Greek but for pi: its code point, however it is
  * spelled, and its bytes; 0 and 0 for none. */
 typedef struct algsurf_i_letter {
@@ -74,26 +66,6 @@ char algsurf_i_variable(int code);
 
 /* The place of a word in a list of words with a blank between them, from 1 on; 0: it is none of them. */
 int algsurf_i_listed(const char *list, const char *word, size_t length);
-
-/* ---- numbers: number.c ---- */
-
-/* v 2^exponent, v >= 0, v.hi the nearest double to v. */
-typedef struct algsurf_i_number {
-    algsurf_dd v;
-    int exponent;
-} algsurf_i_number;
-
-typedef enum algsurf_i_reading {
-    ALGSURF_I_NO_NUMBER,
-    ALGSURF_I_NUMBER,
-    ALGSURF_I_NUMBER_TOO_LARGE /* beyond 10^400 or 2^2000 */
-} algsurf_i_reading;
-
-/* The longest number at the start of text, without sign: digits with an optional point and an
- * optional exponent, decimal (e) or hexadecimal (0x, p).  v.hi is what strtod returns in the "C"
- * locale, as long as that is normal, v itself is right to 2^-104.  Below 10^-400 or 2^-4000: zero.
- * *length becomes the number of characters read.  Cost: linear in it. */
-algsurf_i_reading algsurf_i_read_number(const char *text, size_t *length, algsurf_i_number *number);
 
 /* ---- names: name.c.  A name stands for a constant, or a product of constants, x, y, z and pi. ---- */
 

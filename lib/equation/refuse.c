@@ -157,8 +157,8 @@ int algsurf_i_parse_refuse_here(parser *p, const char *expected) {
 }
 
 size_t algsurf_i_wrong_length(const char *text) {
+    monomial number;
     size_t length = algsurf_i_name_length(text);
-    algsurf_i_number number;
-    if (length > 0 || algsurf_i_read_number(text, &length, &number) != ALGSURF_I_NO_NUMBER) return length;
-    return algsurf_i_token_at(text).width;
+    if (length == 0) length = algsurf_i_read_number(text, &number);
+    return length > 0 ? length : algsurf_i_token_at(text).width;
 }

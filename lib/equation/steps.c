@@ -25,16 +25,10 @@ int algsurf_i_parse_double(parser *p, double v, int key) {
 }
 
 int algsurf_i_parse_number(parser *p) {
-    size_t length, at = p->at;
-    algsurf_i_number n;
-    algsurf_i_reading reading = algsurf_i_read_number(p->text + at, &length, &n);
-    if (reading == ALGSURF_I_NUMBER) {
-        /* Exact when it fits a double, the rule for numbers people type. */
-        double err = n.v.lo == 0 ? 0.0 : ALGSURF_DD_U * n.v.hi;
-        monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
-        p->at += length;
-        if (isfinite(algsurf_i_monomial_round(&m))) return algsurf_i_parse_monomial(p, m, at);
-    }
+    size_t at = p->at;
+    monomial m;
+    p->at += algsurf_i_read_number(p->text + at, &m);
+    if (isfinite(algsurf_i_monomial_round(&m))) return algsurf_i_parse_monomial(p, m, at);
     return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 

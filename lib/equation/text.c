@@ -3,7 +3,7 @@
  *     text     = { definition } [ open ] { definition } body [ stop ] [ close ] [ stop ] [ ";" ]
  *     definition = name "=" sum ";"
  *     body     = solid | [ head ] equation
- *     open, close                                                  $ and $, or another pair of read.c
+ *     open, close                                                  $ and $, or another pair of define.c
  *     stop     = "." | ","
  *     solid    = ("poly" | "quadric" | "cubic" | "quartic") "{" sums with "," "<" ">" between "}"
  *     head     = name "(" "x" "," "y" "," "z" ")" "="

@@ -41,7 +41,7 @@ void algsurf_i_value_free(value *v) {
 }
 
 void algsurf_i_value_negate(value *v) {
-    algsurf_i_tripoly_negate(&v->p);
+    for (size_t t = 0; t < v->p.count; t++) v->p.m[t].v = algsurf_dd_neg(v->p.m[t].v);
     if (v->way) v->way->scale.v = algsurf_dd_neg(v->way->scale.v);
 }
 
