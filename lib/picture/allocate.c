@@ -131,14 +131,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     for (int k = 0; k < 3; k++) t->thin_along[k] = take_doubles(a, s->dips);
 }
 
-static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {
-    lay_out_line(a, s, &worker->line);
-    if (selective) lay_out_middles(a, s, &worker->middles);
-    if (s->lanes) lay_out_tiling(a, s, &worker->tiling);
-    worker->predictor.x = take_doubles(a, s->roots * s->width);
-    worker->predictor.y = take_doubles(a, s->roots * s->width);
-}
-
 static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame) {
     frame->q = take_doubles(a, s->side * s->side * s->side);
     frame->basis = take_doubles(a, s->side * s->side);
@@ -167,8 +159,12 @@ static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i
     lay_out_samples(a, picture);
     if (picture->geometry) lay_out_geometry(a, &s, picture->geometry);
     for (int i = 0; i < threads; i++) {
-        algsurf_i_worker nobody;
-        lay_out_worker(a, &s, picture->selective, a->base ? *workers + i : &nobody);
+        algsurf_i_worker nobody, *worker = a->base ? *workers + i : &nobody;
+        lay_out_line(a, &s, &worker->line);
+        if (picture->selective) lay_out_middles(a, &s, &worker->middles);
+        if (s.lanes) lay_out_tiling(a, &s, &worker->tiling);
+        worker->predictor.x = take_doubles(a, s.roots * s.width);
+        worker->predictor.y = take_doubles(a, s.roots * s.width);
     }
 }
 

@@ -78,12 +78,7 @@ static int list_apart(algsurf_i_worker *worker, int row, int x, int end, int *li
     return count;
 }
 
-/* May an edge go through the pixels of a cell, by their tile? */
-static int is_leaf(const algsurf_i_band *band, int cell) {
-    return cell > 0 && !(band->tiles[cell - 1].enough > 0);
-}
-
-/* The same of the pixels in leaves alone, run by run. */
+/* The same of the pixels in leaves alone, neither empty tiles nor sheets, run by run. */
 static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, int row) {
     const algsurf_i_picture *picture = worker->picture;
     const int *cell = band->cell + algsurf_i_first_cell(picture, row);
@@ -91,7 +86,7 @@ static int list_in_leaves(algsurf_i_worker *worker, const algsurf_i_band *band, 
     double *low = worker->tiling.list_low;
     int *list = worker->line.list, count = 0;
     for (int first = 0, end; first < cells; first = end + 1) {
-        for (end = first; end < cells && is_leaf(band, cell[end]);) end++;
+        for (end = first; end < cells && cell[end] > 0 && !(band->tiles[cell[end] - 1].enough > 0);) end++;
         const int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF;
         if (end > first) count += list_apart(worker, row, x, x_end < width ? x_end : width, list + count);
     }

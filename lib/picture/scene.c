@@ -157,15 +157,8 @@ ALGSURF_I_ENTRY(algsurf_status, scene_set_clip,
     return ALGSURF_OK;
 }
 
-/* Takes the imaginary parts that play a part from the caller. */
-static void copy_imaginary(algsurf_scene *scene) {
-    const int top = algsurf_i_top_imaginary(&scene->space, scene->given->degree);
-    for (int k = 0; k <= top; k++) scene->imaginary[k] = scene->space.imaginary[k];
-    scene->space.imaginary = scene->imaginary;
-    scene->space.imaginary_count = (size_t)(top + 1);
-}
-
-/* The checks are those of the function that will get it, made on a ray without points. */
+/* The checks are those of the function that will get it, made on a ray without points.  Only imaginary parts
+ * that play a part are taken. */
 ALGSURF_I_ENTRY(algsurf_status, scene_set_complex_space,
                 (algsurf_scene * scene, const algsurf_complex_space *space), (scene, space)) {
     const algsurf_ray nothing = {{0, 0, 0}, {1, 0, 0}, 1, 0};
@@ -176,7 +169,10 @@ ALGSURF_I_ENTRY(algsurf_status, scene_set_complex_space,
             algsurf_intersect_complex(scene->given, NULL, &nothing, space, NULL, NULL, &miss, NULL);
         if (status != ALGSURF_OK) return status;
         (void)algsurf_options_read(&scene->space, sizeof scene->space, space);
-        copy_imaginary(scene);
+        const int top = algsurf_i_top_imaginary(&scene->space, scene->given->degree);
+        for (int k = 0; k <= top; k++) scene->imaginary[k] = scene->space.imaginary[k];
+        scene->space.imaginary = scene->imaginary;
+        scene->space.imaginary_count = (size_t)(top + 1);
     }
     scene->complex = space != NULL;
     scene->surface = space ? scene->given : algsurf_i_surface_solved(scene->given);

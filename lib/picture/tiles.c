@@ -79,16 +79,9 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     list->count = job->count;
 }
 
-static void count_tiles(const algsurf_i_tile_job *job, uint64_t all, uint64_t quartered,
-                        algsurf_render_stats *counts) {
-    counts->tiles = all;
-    counts->empty_tiles = all - quartered - (uint64_t)job->tile_count;
-    for (int i = 0; i < job->tile_count; i++) counts->sheet_tiles += job->tiles[i].enough > 0;
-    counts->leaf_tiles = (uint64_t)job->tile_count - counts->sheet_tiles;
-}
-
 static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
     const int places = algsurf_i_cells_across(picture) * LEVELS_ROWS;
+    algsurf_render_stats *counts = &band->counts.stats;
     for (int i = 0; i < places; i++) band->cell[i] = -ALGSURF_I_TILES;
     algsurf_i_tile_job job = {.row = &picture->geometry->rays,
                               .beam = &t->beam,
@@ -118,7 +111,10 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
             if (job.size > ALGSURF_I_LEAF) quartered += (uint64_t)list[r].count;
         }
     }
-    count_tiles(&job, all, quartered, &band->counts.stats);
+    counts->tiles = all;
+    counts->empty_tiles = all - quartered - (uint64_t)job.tile_count;
+    for (int i = 0; i < job.tile_count; i++) counts->sheet_tiles += job.tiles[i].enough > 0;
+    counts->leaf_tiles = (uint64_t)job.tile_count - counts->sheet_tiles;
 }
 
 const algsurf_i_band *algsurf_i_band_of(algsurf_i_worker *worker, int row) {

@@ -102,22 +102,15 @@ static int sum_width(int bits, int count) {
     return algsurf_z_width(bits + algsurf_limb_bits((algsurf_limb)count - 1));
 }
 
-/* The limbs above the old width repeat the sign. */
-static void widen(exact_sum *p, int width) {
-    for (int k = 0; k <= p->degree; k++) {
-        algsurf_limb *a = at(p, k), sign = 0 - (a[p->width - 1] >> 63);
-        for (int i = p->width; i < width; i++) a[i] = sign;
-    }
-    p->width = width;
-}
-
 /* Makes p ready for `count` more summands of at most that degree, below 2^bits: only its values stay. */
 static void sum_expect(exact_sum *p, int degree, int bits, int count) {
     if (p->degree < 0) p->bits = 0, p->count = 0, p->width = 0;
     if (p->bits < bits) p->bits = bits;
     p->count += count;
     int width = sum_width(p->bits, p->count);
-    if (width > p->width) widen(p, width);
+    for (int k = 0; k <= p->degree && width > p->width; k++)
+        algsurf_z_copy(at(p, k), width, at(p, k), p->width);
+    if (width > p->width) p->width = width;
     while (p->degree < degree) p->degree++, algsurf_z_zero(at(p, p->degree), p->width);
 }
 

@@ -64,8 +64,6 @@ static void add_solid(solid *p, const solid *r, int side) {
     if (r->degree > p->degree) p->degree = r->degree;
 }
 
-static double plain(double a) { return a; }
-
 static void add_constant(solid *p, double a) {
     p->q[0] = p->degree < 0 ? algsurf_dd_from(a) : algsurf_dd_add_d(p->q[0], a);
     if (p->degree < 0) p->degree = 0;
@@ -78,9 +76,8 @@ static size_t cube(int degree) {
 
 size_t algsurf_i_frame_memory(int degree) { return 3 * cube(degree) * sizeof(algsurf_dd); }
 
-/* The surface's rows and levels in world coordinates that are linear in (x,y,z); `of` each coefficient. */
-static solid in_view_axes(const algsurf_surface *s, double (*of)(double), algsurf_dd world[3][4],
-                          algsurf_dd *memory) {
+/* The surface's rows and levels, or their `sizes`, in world coordinates that are linear in (x,y,z). */
+static solid in_view_axes(const algsurf_surface *s, int sizes, algsurf_dd world[3][4], algsurf_dd *memory) {
     int side = s->degree + 1;
     solid total = {-1, memory}, level = {-1, memory + cube(s->degree)}, row = {-1, level.q + cube(s->degree)};
     for (int k = s->level_count - 1; k >= 0; k--) {
@@ -92,7 +89,8 @@ static solid in_view_axes(const algsurf_surface *s, double (*of)(double), algsur
             row.degree = -1;
             for (int i = r->length - 1; i >= 0; i--) {
                 times_linear(&row, world[0], side);
-                add_constant(&row, of(s->coef[r->first + (size_t)i]));
+                double c = s->coef[r->first + (size_t)i];
+                add_constant(&row, sizes ? fabs(c) : c);
             }
             add_solid(&level, &row, side);
         }
@@ -134,7 +132,7 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
             shown[axis] += fabs(world[axis][k + 1].hi) * (1 + 0x1p-20);
         }
     }
-    solid p = in_view_axes(s, plain, world, memory);
+    solid p = in_view_axes(s, 0, world, memory);
     frame->degree = n;
     memset(frame->q, 0, cube(n) * sizeof *frame->q);
     for (int i = 0; i <= p.degree; i++)
@@ -152,7 +150,7 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
         for (int axis = 0; axis < 3; axis++)
             for (int k = 0; k < 4; k++)
                 if (world[axis][k].hi < 0) world[axis][k] = algsurf_dd_neg(world[axis][k]);
-        p = in_view_axes(s, fabs, world, memory);
+        p = in_view_axes(s, 1, world, memory);
     }
     /* so that no sum overflows on the way to a value, |x|, |y| <= 4, nor between the units of a split */
     return set_sizes(frame, &p) < 0x1p700 && frame->error < 0x1p900;
