@@ -317,8 +317,6 @@ algsurf_status algsurf_i_render_row(algsurf_i_worker *worker, int row) {
     const algsurf_picture to = row_planes(picture, row);
     line->wanted = NULL;
     line->wanted_count = picture->width;
-    line->begin = 0;
-    line->end = picture->width;
     line->thin = picture->thin;
     algsurf_status status = picture->scene->antialias > 1 ? render_samples(worker, row, &to)
                                                           : algsurf_i_render_middles(worker, row, &to);

@@ -165,6 +165,7 @@ algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsur
     for (int i = 0; i < threads; i++) {
         workers[i].pool = &pool;
         workers[i].picture = picture;
+        workers[i].line.end = picture->width;
         workers[i].tally = &workers[i].all;
     }
     int started = start_helpers(&pool, workers + 1, threads - 1);
