@@ -176,12 +176,14 @@ static int is_power_modulo(search *p, const algsurf_prime *m) {
     return 1;
 }
 
-/* A polynomial in T at POINT. */
+/* A polynomial in T at POINT, by Horner's rule. */
 static algsurf_limb value_of(const place *c, size_t count, const algsurf_prime *m) {
     algsurf_limb sum = 0;
-    for (size_t t = 0; t < count; t++)
-        sum = plus(
-            sum, algsurf_residue_times(residue_of(c + t, m), algsurf_residue_power(POINT, c[t].at, m), m), m);
+    for (size_t t = 0; t < count; t++) {
+        const size_t gap = c[t].at - (t + 1 < count ? c[t + 1].at : 0);
+        sum = plus(sum, residue_of(c + t, m), m);
+        sum = algsurf_residue_times(sum, algsurf_residue_power(POINT, gap, m), m);
+    }
     return sum;
 }
 
