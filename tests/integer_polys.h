@@ -211,6 +211,14 @@ static uint64_t seed = 20261126;
 
 static inline int random_below(int n) { return random_int(&seed, n); }
 
+static inline int is_reduced(long a, long b) {
+    while (b) {
+        const long rest = a % b;
+        a = b, b = rest;
+    }
+    return a == 1;
+}
+
 /* prod f[i]^m[i] of one to four random factors, real or Gaussian; Gaussian ones may share roots with their
  * conjugates.  Roots have denominators of 3, or `wild`: up to 2^19 + 1. */
 static inline poly *random_product(int real, int wild, const int m[4], poly *f[4]) {
@@ -221,9 +229,10 @@ static inline poly *random_product(int real, int wild, const int m[4], poly *f[4
         int roots = 1 + random_below(4);
         f[i] = make(0);
         mpz_set_ui(f[i]->re[0], 1);
-        for (int k = 0; k < roots; k++) { /* roots differ in their real parts, but conjugates */
+        for (int k = 0; k < roots; k++) { /* reduced, with numerators that differ: so do real parts */
             long a = 7 * ++taken + random_below(5), b = random_below(3) * (1 + random_below(9));
-            long under = wild ? 1L << random_below(20) | 1 : 3;
+            long under = 3;
+            while (wild && !is_reduced(a, under = 1L << random_below(20) | 1)) continue;
             f[i] = times_root(f[i], a, b, under);
             if (b && (real || random_below(2))) f[i] = times_root(f[i], a, -b, under);
         }
