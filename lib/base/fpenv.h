@@ -106,8 +106,4 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) { (void)feset
     }                                                                                                        \
     static ALGSURF_NOINLINE type bracketed_##name parameters
 
-/* The same where the body is a function: it returns work(arguments). */
-#define ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)                                            \
-    ALGSURF_I_ENTRY(type, name, parameters, arguments) { return work arguments; }
-
 #endif

@@ -188,9 +188,10 @@ algsurf_status algsurf_i_paper_approximation(const algsurf_complex *p, int n, al
 
 /* ---- the public call ---- */
 
-static algsurf_status approximate(const algsurf_complex *p, int degree, algsurf_complex start,
-                                  const algsurf_paper_options *given, algsurf_complex *z, algsurf_complex *q,
-                                  int *steps) {
+ALGSURF_I_ENTRY(algsurf_status, paper_approximation,
+                (const algsurf_complex *p, int degree, algsurf_complex start,
+                 const algsurf_paper_options *given, algsurf_complex *z, algsurf_complex *q, int *steps),
+                (p, degree, start, given, z, q, steps)) {
     algsurf_paper_options options;
     algsurf_complex found[ALGSURF_MAX_POLY_DEGREE];
     int count;
@@ -203,8 +204,3 @@ static algsurf_status approximate(const algsurf_complex *p, int degree, algsurf_
     if (steps) *steps = count;
     return status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, paper_approximation, approximate,
-                 (const algsurf_complex *p, int degree, algsurf_complex start,
-                  const algsurf_paper_options *options, algsurf_complex *z, algsurf_complex *q, int *steps),
-                 (p, degree, start, options, z, q, steps))

@@ -44,9 +44,10 @@ static algsurf_paper_zero finish(const algsurf_complex *p, const double *r, int 
     return zero;
 }
 
-static algsurf_status all_zeros(const algsurf_complex *p, const double *r, int degree,
-                                const algsurf_complex *start, const algsurf_paper_options *given,
-                                algsurf_paper_zero *zeros, int *complete) {
+ALGSURF_I_ENTRY(algsurf_status, paper_zeros,
+                (const algsurf_complex *p, const double *r, int degree, const algsurf_complex *start,
+                 const algsurf_paper_options *given, algsurf_paper_zero *zeros, int *complete),
+                (p, r, degree, start, given, zeros, complete)) {
     algsurf_paper_options options;
     algsurf_complex deflated[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
     algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
@@ -68,8 +69,3 @@ static algsurf_status all_zeros(const algsurf_complex *p, const double *r, int d
     *complete = all_disjoint(zeros, degree);
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, paper_zeros, all_zeros,
-                 (const algsurf_complex *p, const double *r, int degree, const algsurf_complex *start,
-                  const algsurf_paper_options *options, algsurf_paper_zero *zeros, int *complete),
-                 (p, r, degree, start, options, zeros, complete))

@@ -184,9 +184,11 @@ algsurf_status algsurf_i_paper_inclusion(const algsurf_complex *p, const double 
 
 /* ---- the public call ---- */
 
-static algsurf_status include(const algsurf_complex *p, const double *r, int degree, algsurf_complex z,
-                              const algsurf_complex *q, const algsurf_paper_options *given,
-                              algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique, int *inflations) {
+ALGSURF_I_ENTRY(algsurf_status, paper_inclusion,
+                (const algsurf_complex *p, const double *r, int degree, algsurf_complex z,
+                 const algsurf_complex *q, const algsurf_paper_options *given, algsurf_cinterval *Z,
+                 algsurf_cinterval *Q, int *unique, int *inflations),
+                (p, r, degree, z, q, given, Z, Q, unique, inflations)) {
     algsurf_paper_options options;
     int count;
     algsurf_status status = algsurf_i_paper_check(p, r, degree, given, &options);
@@ -199,9 +201,3 @@ static algsurf_status include(const algsurf_complex *p, const double *r, int deg
     if (inflations) *inflations = count;
     return status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, paper_inclusion, include,
-                 (const algsurf_complex *p, const double *r, int degree, algsurf_complex z,
-                  const algsurf_complex *q, const algsurf_paper_options *options, algsurf_cinterval *Z,
-                  algsurf_cinterval *Q, int *unique, int *inflations),
-                 (p, r, degree, z, q, options, Z, Q, unique, inflations))

@@ -65,8 +65,9 @@ static int in_sector(const algsurf_sector *s, const algsurf_complex_root *root) 
     return arg.lo >= s->sigma && arg.hi <= end ? 1 : 2;
 }
 
-static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_complex_root *root,
-                                   int *holds) {
+ALGSURF_I_ENTRY(algsurf_status, sector_holds,
+                (const algsurf_sector *sector, const algsurf_complex_root *root, int *holds),
+                (sector, root, holds)) {
     if (!root || !holds) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(sector);
     if (status == ALGSURF_OK) *holds = in_sector(sector, root);
@@ -122,15 +123,12 @@ static algsurf_status choose(const algsurf_complex_root *roots, int count, int r
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
-                 (const algsurf_sector *sector, const algsurf_complex_root *root, int *holds),
-                 (sector, root, holds))
-#define CHOOSE_ANY(roots, count, ...) choose(roots, count, 0, __VA_ARGS__)
-#define CHOOSE_OF_REAL(roots, count, ...) choose(roots, count, 1, __VA_ARGS__)
-#define PUBLIC_CHOICE(name, work)                                                                            \
-    ALGSURF_I_PUBLIC(algsurf_status, name, work,                                                             \
-                     (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo, \
-                      double hi, int *selected, int *index),                                                 \
-                     (roots, count, sector, lo, hi, selected, index))
-PUBLIC_CHOICE(select, CHOOSE_ANY)
-PUBLIC_CHOICE(select_of_real, CHOOSE_OF_REAL)
+#define PUBLIC_CHOICE(name, real)                                                                            \
+    ALGSURF_I_ENTRY(algsurf_status, name,                                                                    \
+                    (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,  \
+                     double hi, int *selected, int *index),                                                  \
+                    (roots, count, sector, lo, hi, selected, index)) {                                       \
+        return choose(roots, count, real, sector, lo, hi, selected, index);                                  \
+    }
+PUBLIC_CHOICE(select, 0)
+PUBLIC_CHOICE(select_of_real, 1)

@@ -39,14 +39,15 @@ algsurf_interval algsurf_i_interval_sqr(algsurf_interval a) {
     return (algsurf_interval){algsurf_i_mul_down(a.lo, a.lo), algsurf_i_mul_up(a.hi, a.hi)};
 }
 
-static algsurf_status make(double lo, double hi, algsurf_interval *result) {
+ALGSURF_I_ENTRY(algsurf_status, interval_make, (double lo, double hi, algsurf_interval *result),
+                (lo, hi, result)) {
     algsurf_interval a = {lo + 0.0, hi + 0.0};
     if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
     *result = a;
     return ALGSURF_OK;
 }
 
-static algsurf_status square_root(algsurf_interval a, algsurf_interval *result) {
+ALGSURF_I_ENTRY(algsurf_status, interval_sqrt, (algsurf_interval a, algsurf_interval *result), (a, result)) {
     if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
     if (a.lo < 0) return ALGSURF_E_RANGE;
     *result = algsurf_i_interval_sqrt(a);
@@ -81,7 +82,8 @@ static algsurf_interval power(algsurf_interval a, int n) {
     return (algsurf_interval){odd_power(a.lo, size).lo, odd_power(a.hi, size).hi};
 }
 
-static algsurf_status raise_to(algsurf_interval a, int n, algsurf_interval *result) {
+ALGSURF_I_ENTRY(algsurf_status, interval_pow, (algsurf_interval a, int n, algsurf_interval *result),
+                (a, n, result)) {
     if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
     if (n < 0 && algsurf_i_interval_has_zero(a)) return ALGSURF_E_RANGE;
     *result = power(a, n);
@@ -93,10 +95,3 @@ static algsurf_status raise_to(algsurf_interval a, int n, algsurf_interval *resu
 #define CALL(name) interval_##name
 #define OP(name) algsurf_i_interval_##name
 #include "interval_calls_template.h"
-
-ALGSURF_I_PUBLIC(algsurf_status, interval_make, make, (double lo, double hi, algsurf_interval *result),
-                 (lo, hi, result))
-ALGSURF_I_PUBLIC(algsurf_status, interval_sqrt, square_root, (algsurf_interval a, algsurf_interval *result),
-                 (a, result))
-ALGSURF_I_PUBLIC(algsurf_status, interval_pow, raise_to,
-                 (algsurf_interval a, int n, algsurf_interval *result), (a, n, result))

@@ -44,9 +44,9 @@ static algsurf_status enclose(const RANGE *c, int degree, RANGE x, RANGE *result
     return ALGSURF_OK;
 }
 
-/* The name is expanded before ALGSURF_I_PUBLIC joins it to others. */
+/* The name is expanded before ALGSURF_I_ENTRY joins it to others. */
 #define PUBLIC(type, name, work, parameters, arguments)                                                      \
-    ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)
+    ALGSURF_I_ENTRY(type, name, parameters, arguments) { return work arguments; }
 #define PUBLIC_1(type, name) PUBLIC(type, CALL(name), OP(name), (RANGE a), (a))
 #define PUBLIC_2(type, name) PUBLIC(type, CALL(name), OP(name), (RANGE a, RANGE b), (a, b))
 

@@ -90,7 +90,7 @@ algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval
     return algsurf_i_cinterval_scale(algsurf_i_cinterval_mul(x, y), i - j);
 }
 
-static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
+ALGSURF_I_ENTRY(algsurf_status, cinterval_arg, (algsurf_cinterval a, algsurf_interval *result), (a, result)) {
     if (!result || !algsurf_i_cinterval_valid(a)) return ALGSURF_E_ARGUMENT;
     if (algsurf_i_cinterval_has_zero(a)) return ALGSURF_E_RANGE;
     *result = algsurf_i_cinterval_arg(a);
@@ -115,6 +115,3 @@ static int algsurf_i_cinterval_interior(algsurf_cinterval a, algsurf_cinterval b
 #define CALL(name) cinterval_##name
 #define OP(name) algsurf_i_cinterval_##name
 #include "interval_calls_template.h"
-
-ALGSURF_I_PUBLIC(algsurf_status, cinterval_arg, argument, (algsurf_cinterval a, algsurf_interval *result),
-                 (a, result))

@@ -103,14 +103,14 @@ static algsurf_status eval(const double *c, const double *r, int degree, double 
     return ALGSURF_OK;
 }
 
-#define PLAIN(c, r, degree, t, value, bound) eval(c, r, degree, t, 0, value, bound)
-#define COMPENSATED(c, r, degree, t, value, bound) eval(c, r, degree, t, 1, value, bound)
-#define PUBLIC_VALUE(name, work)                                                                             \
-    ALGSURF_I_PUBLIC(algsurf_status, name, work,                                                             \
-                     (const double *c, const double *r, int degree, double t, double *value, double *bound), \
-                     (c, r, degree, t, value, bound))
-PUBLIC_VALUE(poly_value, PLAIN)
-PUBLIC_VALUE(poly_value_compensated, COMPENSATED)
+#define PUBLIC_VALUE(name, compensated)                                                                      \
+    ALGSURF_I_ENTRY(algsurf_status, name,                                                                    \
+                    (const double *c, const double *r, int degree, double t, double *value, double *bound),  \
+                    (c, r, degree, t, value, bound)) {                                                       \
+        return eval(c, r, degree, t, compensated, value, bound);                                             \
+    }
+PUBLIC_VALUE(poly_value, 0)
+PUBLIC_VALUE(poly_value_compensated, 1)
 
 /* A Bernstein coefficient on its way, with its error bound. */
 typedef struct {
@@ -130,8 +130,9 @@ static coefficient term(int k, int m, coefficient from, double x) {
  * a constant being the same in every degree: the blossom, one argument after the other.  The leading
  * coefficient starts as such a constant.
  * Underflow in a step: at most six products in two terms: 2^-1071 covers them and the last RAISE. */
-static algsurf_status to_bernstein(const double *c, const double *r, int degree, double lo, double hi,
-                                   double *b, double *br) {
+ALGSURF_I_ENTRY(algsurf_status, poly_to_bernstein,
+                (const double *c, const double *r, int degree, double lo, double hi, double *b, double *br),
+                (c, r, degree, lo, hi, b, br)) {
     if (!c || !b) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_check_polynomial(c, 1, r, degree);
     if (status != ALGSURF_OK) return status;
@@ -158,7 +159,3 @@ static algsurf_status to_bernstein(const double *c, const double *r, int degree,
     for (int j = 0; br && j <= degree; j++) br[j] = q[j].e;
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, poly_to_bernstein, to_bernstein,
-                 (const double *c, const double *r, int degree, double lo, double hi, double *b, double *br),
-                 (c, r, degree, lo, hi, b, br))

@@ -335,17 +335,12 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     return q.without_memory ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
-static algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
-                                const algsurf_ray *ray, const algsurf_complex_space *space,
-                                const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
-                                algsurf_complex *root) {
+ALGSURF_I_ENTRY(algsurf_status, intersect_complex,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                 const algsurf_complex_space *space, const algsurf_complex *start, algsurf_complex *roots,
+                 algsurf_hit *hit, algsurf_complex *root),
+                (surface, extent, ray, space, start, roots, hit, root)) {
     const algsurf_i_region region = {extent, NULL, 0};
     int iterations;
     return algsurf_i_intersect_complex(surface, &region, ray, space, start, roots, hit, root, &iterations);
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, intersect_complex, intersect,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_complex_space *space, const algsurf_complex *start, algsurf_complex *roots,
-                  algsurf_hit *hit, algsurf_complex *root),
-                 (surface, extent, ray, space, start, roots, hit, root))

@@ -351,8 +351,10 @@ static void set_polynomial(search *s) {
     s->by_shift = 3 * places * (n + 1);
 }
 
-static algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
-                              double precision, double lo[3], double hi[3], int *empty) {
+ALGSURF_I_ENTRY(algsurf_status, surface_enclose,
+                (const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
+                 double precision, double lo[3], double hi[3], int *empty),
+                (surface, extent, part, precision, lo, hi, empty)) {
     cell box;
     if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
     search s = {.surface = algsurf_i_surface_solved(surface), .part = part};
@@ -381,8 +383,3 @@ static algsurf_status enclose(const algsurf_surface *surface, const algsurf_exte
     }
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, surface_enclose, enclose,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, algsurf_part part,
-                  double precision, double lo[3], double hi[3], int *empty),
-                 (surface, extent, part, precision, lo, hi, empty))

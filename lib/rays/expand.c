@@ -176,7 +176,8 @@ static algsurf_status give(const algsurf_surface *s, const double *q, const doub
     return ALGSURF_OK;
 }
 
-static algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, double *c, double *r) {
+ALGSURF_I_ENTRY(algsurf_status, expand_power,
+                (const algsurf_surface *s, const algsurf_ray *ray, double *c, double *r), (s, ray, c, r)) {
     algsurf_status status = check_line(s, ray, c);
     if (status != ALGSURF_OK) return status;
     double X[3], D[3], q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1];
@@ -188,11 +189,8 @@ static algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, do
     return give(s, q, qr, c, r);
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, expand_power, power,
-                 (const algsurf_surface *surface, const algsurf_ray *ray, double *c, double *r),
-                 (surface, ray, c, r))
-
-static algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray, double *b, double *r) {
+ALGSURF_I_ENTRY(algsurf_status, expand_bernstein,
+                (const algsurf_surface *s, const algsurf_ray *ray, double *b, double *r), (s, ray, b, r)) {
     algsurf_status status = check_line(s, ray, b);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(ray->t_min) || !isfinite(ray->t_max)) return ALGSURF_E_NOT_FINITE;
@@ -213,7 +211,3 @@ static algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray
     for (int i = 0; i <= n; i++) radius[i] += 2 * n * ALGSURF_U * size;
     return give(s, value, radius, b, r);
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, expand_bernstein, bernstein,
-                 (const algsurf_surface *surface, const algsurf_ray *ray, double *b, double *r),
-                 (surface, ray, b, r))

@@ -199,18 +199,20 @@ static algsurf_status prepare(algsurf_i_query *q, const algsurf_surface *surface
     return status == ALGSURF_OK ? algsurf_i_query_read(q, surface, extent, options) : status;
 }
 
-static algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
-                            const algsurf_ray *ray, const algsurf_intersect_options *options,
-                            algsurf_hit *hit) {
+ALGSURF_I_ENTRY(algsurf_status, intersect_first,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                 const algsurf_intersect_options *options, algsurf_hit *hit),
+                (surface, extent, ray, options, hit)) {
     algsurf_i_query q;
     if (!hit) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     return status == ALGSURF_OK ? algsurf_i_first_hit(&q, ray, 0, hit, NULL) : status;
 }
 
-static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                          const algsurf_ray *ray, const algsurf_intersect_options *options, algsurf_hit *hits,
-                          int capacity, int *count) {
+ALGSURF_I_ENTRY(algsurf_status, intersect_all,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                 const algsurf_intersect_options *options, algsurf_hit *hits, int capacity, int *count),
+                (surface, extent, ray, options, hits, capacity, count)) {
     algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int n;
@@ -224,23 +226,12 @@ static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *
     return ALGSURF_OK;
 }
 
-static algsurf_status occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_ray *ray, const algsurf_intersect_options *options, int *state) {
+ALGSURF_I_ENTRY(algsurf_status, occluded,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                 const algsurf_intersect_options *options, int *state),
+                (surface, extent, ray, options, state)) {
     algsurf_i_query q;
     if (!state) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     return status == ALGSURF_OK ? algsurf_i_occluded(&q, ray, 0, state) : status;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, intersect_first, first,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_intersect_options *options, algsurf_hit *hit),
-                 (surface, extent, ray, options, hit))
-ALGSURF_I_PUBLIC(algsurf_status, intersect_all, all,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_intersect_options *options, algsurf_hit *hits, int capacity, int *count),
-                 (surface, extent, ray, options, hits, capacity, count))
-ALGSURF_I_PUBLIC(algsurf_status, occluded, occluded,
-                 (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                  const algsurf_intersect_options *options, int *state),
-                 (surface, extent, ray, options, state))

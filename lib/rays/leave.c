@@ -42,8 +42,10 @@ static int is_beside(const algsurf_surface *surface, const double x[3], int side
            (side ? side * value : fabs(value)) > bound;
 }
 
-static algsurf_status leave(const algsurf_surface *given, const algsurf_ray *ray, const algsurf_hit *hit,
-                            int side, double start[3]) {
+ALGSURF_I_ENTRY(algsurf_status, hit_leave,
+                (const algsurf_surface *given, const algsurf_ray *ray, const algsurf_hit *hit, int side,
+                 double start[3]),
+                (given, ray, hit, side, start)) {
     double x[3], direction[3];
     if (!given || !hit || !start || (side != -1 && side != 1)) return ALGSURF_E_ARGUMENT;
     if (hit->state != ALGSURF_STATE_HIT) return ALGSURF_E_ARGUMENT;
@@ -68,8 +70,3 @@ static algsurf_status leave(const algsurf_surface *given, const algsurf_ray *ray
     }
     return ALGSURF_NOT_VERIFIED;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, hit_leave, leave,
-                 (const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_hit *hit, int side,
-                  double start[3]),
-                 (surface, ray, hit, side, start))

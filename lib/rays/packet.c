@@ -244,26 +244,17 @@ algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const 
                                                       : answer_in_pieces(&q, &rays, any, &hits, exact);
 }
 
-static algsurf_status packet(const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
-                             const algsurf_hit_packet *hits) {
+ALGSURF_I_ENTRY(algsurf_status, intersect_packet,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray_packet *rays,
+                 const algsurf_intersect_options *options, const algsurf_hit_packet *hits),
+                (surface, extent, rays, options, hits)) {
     return algsurf_i_intersect_packet(surface, extent, rays, options, 0, hits, NULL);
 }
 
-static algsurf_status occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
-                               unsigned char *state) {
+ALGSURF_I_ENTRY(algsurf_status, occluded_packet,
+                (const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray_packet *rays,
+                 const algsurf_intersect_options *options, unsigned char *state),
+                (surface, extent, rays, options, state)) {
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = state};
     return algsurf_i_intersect_packet(surface, extent, rays, options, 1, &hits, NULL);
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, intersect_packet, packet,
-                 (const algsurf_surface *surface, const algsurf_extent *extent,
-                  const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
-                  const algsurf_hit_packet *hits),
-                 (surface, extent, rays, options, hits))
-ALGSURF_I_PUBLIC(algsurf_status, occluded_packet, occluded,
-                 (const algsurf_surface *surface, const algsurf_extent *extent,
-                  const algsurf_ray_packet *rays, const algsurf_intersect_options *options,
-                  unsigned char *state),
-                 (surface, extent, rays, options, state))

@@ -168,8 +168,10 @@ int algsurf_i_region_chord(const algsurf_i_region *region, const algsurf_ray *ra
            algsurf_i_planes_cut(region->planes, region->plane_count, ray, chord);
 }
 
-static algsurf_status clip_ray(const algsurf_ray *ray, const algsurf_extent *extent,
-                               const algsurf_plane *planes, size_t count, algsurf_ray *chord, int *meets) {
+ALGSURF_I_ENTRY(algsurf_status, ray_clip,
+                (const algsurf_ray *ray, const algsurf_extent *extent, const algsurf_plane *planes,
+                 size_t count, algsurf_ray *chord, int *meets),
+                (ray, extent, planes, count, chord, meets)) {
     const algsurf_i_region region = {extent, planes, count};
     algsurf_i_chord part;
     if (!chord || !meets) return ALGSURF_E_ARGUMENT;
@@ -184,8 +186,3 @@ static algsurf_status clip_ray(const algsurf_ray *ray, const algsurf_extent *ext
     chord->t_max = part.hi;
     return ALGSURF_OK;
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, ray_clip, clip_ray,
-                 (const algsurf_ray *ray, const algsurf_extent *extent, const algsurf_plane *planes,
-                  size_t count, algsurf_ray *chord, int *meets),
-                 (ray, extent, planes, count, chord, meets))

@@ -34,8 +34,10 @@ static algsurf_status solve(const algsurf_i_allroots_kernel *kernel, const algsu
     return first;
 }
 
-static algsurf_status complex_roots(const algsurf_complex_batch *batch, const algsurf_batch_options *options,
-                                    algsurf_complex_root *roots, int *count) {
+ALGSURF_I_ENTRY(algsurf_status, complex_roots_batch,
+                (const algsurf_complex_batch *batch, const algsurf_batch_options *options,
+                 algsurf_complex_root *roots, int *count),
+                (batch, options, roots, count)) {
     algsurf_complex_batch p;
     algsurf_batch_options o = {.size = sizeof o};
     algsurf_status status = algsurf_options_read(&p, sizeof p, batch);
@@ -49,8 +51,3 @@ static algsurf_status complex_roots(const algsurf_complex_batch *batch, const al
     if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
     return solve(algsurf_i_allroots_kernel_for(kernel), &p, roots, count);
 }
-
-ALGSURF_I_PUBLIC(algsurf_status, complex_roots_batch, complex_roots,
-                 (const algsurf_complex_batch *batch, const algsurf_batch_options *options,
-                  algsurf_complex_root *roots, int *count),
-                 (batch, options, roots, count))

@@ -183,8 +183,10 @@ static void fill_block(const query *q, size_t first, box_block *block) {
         ->many(&c, &real, p->degree, left < BLOCK ? left : BLOCK, block->box, block->found);
 }
 
-static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
-                                algsurf_real_root *roots, int *count) {
+ALGSURF_I_ENTRY(algsurf_status, real_roots_batch,
+                (const algsurf_real_batch *batch, const algsurf_batch_options *options,
+                 algsurf_real_root *roots, int *count),
+                (batch, options, roots, count)) {
     query q;
     algsurf_status first = read_batch(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
@@ -211,8 +213,9 @@ static algsurf_status all_roots(const algsurf_real_batch *batch, const algsurf_b
 }
 
 /* The batch of one. */
-static algsurf_status first_root(const double *c, int degree, double lo, double hi, double *root,
-                                 int *found) {
+ALGSURF_I_ENTRY(algsurf_status, real_root_first,
+                (const double *c, int degree, double lo, double hi, double *root, int *found),
+                (c, degree, lo, hi, root, found)) {
     const algsurf_real_batch one = {
         .size = sizeof one, .count = 1, .degree = degree, .coefficients = {c, 1, 0}, .lo = &lo, .hi = &hi};
     unsigned char state;
@@ -225,14 +228,9 @@ static algsurf_status first_root(const double *c, int degree, double lo, double 
     return ALGSURF_OK;
 }
 
-ALGSURF_I_PUBLIC(algsurf_status, first_roots_batch, first_roots,
-                 (const algsurf_real_batch *batch, const algsurf_batch_options *options, unsigned char *state,
-                  double *root),
-                 (batch, options, state, root))
-ALGSURF_I_PUBLIC(algsurf_status, real_roots_batch, all_roots,
-                 (const algsurf_real_batch *batch, const algsurf_batch_options *options,
-                  algsurf_real_root *roots, int *count),
-                 (batch, options, roots, count))
-ALGSURF_I_PUBLIC(algsurf_status, real_root_first, first_root,
-                 (const double *c, int degree, double lo, double hi, double *root, int *found),
-                 (c, degree, lo, hi, root, found))
+ALGSURF_I_ENTRY(algsurf_status, first_roots_batch,
+                (const algsurf_real_batch *batch, const algsurf_batch_options *options, unsigned char *state,
+                 double *root),
+                (batch, options, state, root)) {
+    return first_roots(batch, options, state, root);
+}
