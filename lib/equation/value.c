@@ -90,10 +90,11 @@ static algsurf_status by_series(const way *w, const tripoly *a, tripoly *out) {
     algsurf_status status = ALGSURF_OK;
     for (int i = w->power; status == ALGSURF_OK && i >= 0; i--) {
         tripoly next = {NULL, 0}, term = {NULL, 0}, c = {&w->series[i], w->series[i].v.hi != 0};
-        status = times(&last, &w->part[0], &next);
+        if (last.count > 0) status = times(&last, &w->part[0], &next);
         algsurf_i_tripoly_free(&last);
         if (status == ALGSURF_OK) status = algsurf_i_tripoly_multiply(a, &c, &term);
-        if (status == ALGSURF_OK) status = algsurf_i_tripoly_add(&next, &term, &last);
+        if (status == ALGSURF_OK && next.count > 0) status = algsurf_i_tripoly_add(&next, &term, &last);
+        if (status == ALGSURF_OK && next.count == 0) last = term, term = (tripoly){NULL, 0};
         algsurf_i_tripoly_free(&next);
         algsurf_i_tripoly_free(&term);
     }
