@@ -32,6 +32,7 @@ visitTest("without a network it opens again, draws what is typed, and speaks Ger
         const files = await Promise.all(names.map(async (name) => (await (await caches.open(name)).keys()).length));
         return files.some((count) => count > 40);
     });
+    await page.waitForLoadState("networkidle"); // the first visit, without the worker, still loads
     await context.setOffline(true);
     await page.reload();
     await visit.settled();
