@@ -513,6 +513,42 @@ TEST(apart_in_the_smaller_part) {
     }
 }
 
+/* 2^e + i 2^-k, and 2^e - i 2^-k or 2^e + 2 i 2^-k, up to the whole range of doubles apart in size. */
+TEST(parts_of_all_sizes) {
+    static const int places[][2] = {{0, 400}, {500, 400}, {1000, 400}, {1000, 1000}, {1020, 1070}};
+    for (int i = 0; i < 10; i++) {
+        const int e = places[i / 2][0], k = places[i / 2][1], other = i % 2 ? 2 : -1;
+        algsurf_integer re[3], im[3];
+        algsurf_complex_root root[2];
+        int count;
+        poly *p = make(0);
+        mpz_set_ui(p->re[0], 1);
+        for (int j = 0; j < 2; j++) { /* 2^k (z - 2^e) - i, or other than i */
+            poly *f = make(1), *q;
+            mpz_set_ui(f->re[1], 1), mpz_mul_2exp(f->re[1], f->re[1], (mp_bitcnt_t)k);
+            mpz_set_si(f->re[0], -1), mpz_mul_2exp(f->re[0], f->re[0], (mp_bitcnt_t)(k + e));
+            mpz_set_si(f->im[0], j ? -other : -1);
+            q = product(p, f);
+            drop(p), drop(f);
+            p = q;
+        }
+        integers(p->re, 2, re), integers(p->im, 2, im);
+        assert_int_equal(algsurf_complex_roots_integers(re, is_real(p) ? NULL : im, 2, root, &count),
+                         ALGSURF_OK);
+        if (count != 2) fail_msg("2^%d, i 2^-%d, %d times that: %d", e, k, other, count);
+        const double a = ldexp(1, e), b = ldexp(1, -k);
+        int found = 0;
+        for (int j = 0; j < 2; j++) {
+            const algsurf_cinterval box = root[j].box;
+            assert_true(box.re.lo <= a && box.re.hi >= a && root[j].multiplicity == 1);
+            found |=
+                (box.im.lo <= b && box.im.hi >= b) + 2 * (box.im.lo <= other * b && box.im.hi >= other * b);
+        }
+        assert_int_equal(found, 3);
+        drop(p);
+    }
+}
+
 /* Arguments, and the root 0. */
 TEST(the_interface) {
     const uint64_t two_limb = 2, zero = 0;

@@ -11,7 +11,7 @@
 #include "../poly/interval_impl.h"
 #include "discs.h"
 
-#define MOST_BITS 1300 /* of a root: 1075 below 1 is no double any more */
+#define MOST_BITS ALGSURF_I_RANGE_OF_DOUBLES /* of a root */
 #define LIMBS (MOST_BITS / 64 + 4)
 
 static int clamped(int64_t e) { return (int)(e < -100000 ? -100000 : e > 100000 ? 100000 : e); }
@@ -19,7 +19,7 @@ static int clamped(int64_t e) { return (int)(e < -100000 ? -100000 : e > 100000 
 /* A part of a root, times 2^unit: x, which is that of z, less that of a step, off by the radius. */
 static algsurf_interval part(const algsurf_i_point *z, const algsurf_limb *x, algsurf_scaled step,
                              algsurf_scaled radius, int64_t unit, double *value) {
-    algsurf_limb a[LIMBS] = {0}, b[LIMBS], r = 0;
+    algsurf_limb a[LIMBS], b[LIMBS], r = 0;
     int exact = radius.re == 0, e;
     int64_t top = larger(larger(z->head, step), radius).exponent;
     int64_t low = exact ? z->exponent : radius.exponent - 30;
@@ -29,16 +29,18 @@ static algsurf_interval part(const algsurf_i_point *z, const algsurf_limb *x, al
         r = 3 + (radius.exponent < low - 1
                      ? 1
                      : (algsurf_limb)ceil(ldexp(radius.re, (int)(radius.exponent - low))));
+    const int w = (int)((top - low) / 64) + 4;
     algsurf_limb m = (algsurf_limb)(int64_t)(-step.re * 0x1p60);
-    algsurf_i_add_shifted(a, LIMBS, x, z->w, z->exponent - low);
-    if (step.re != 0) algsurf_i_add_shifted(a, LIMBS, &m, 1, step.exponent - 60 - low);
-    algsurf_z_copy(b, LIMBS, a, LIMBS);
-    double middle = algsurf_z_to_double(a, LIMBS, &e);
+    algsurf_z_zero(a, w);
+    algsurf_i_add_shifted(a, w, x, z->w, z->exponent - low);
+    if (step.re != 0) algsurf_i_add_shifted(a, w, &m, 1, step.exponent - 60 - low);
+    algsurf_z_copy(b, w, a, w);
+    double middle = algsurf_z_to_double(a, w, &e);
     *value = ldexp(middle, clamped(e + low + unit));
-    algsurf_z_add_limbs(a, LIMBS, 0, r);
-    algsurf_z_add_limbs(b, LIMBS, r, 0);
-    return (algsurf_interval){algsurf_z_round_down(a, LIMBS, clamped(low + unit)) + 0.0,
-                              algsurf_z_round_up(b, LIMBS, clamped(low + unit)) + 0.0};
+    algsurf_z_add_limbs(a, w, 0, r);
+    algsurf_z_add_limbs(b, w, r, 0);
+    return (algsurf_interval){algsurf_z_round_down(a, w, clamped(low + unit)) + 0.0,
+                              algsurf_z_round_up(b, w, clamped(low + unit)) + 0.0};
 }
 
 /* The root is within blur + error of z - W, of which the end is cut: less than 2 units from each part. */

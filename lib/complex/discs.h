@@ -60,6 +60,8 @@ typedef struct algsurf_i_disc {
     unsigned char left_out; /* no root of the polynomial that is asked for */
 } algsurf_i_disc;
 
+#define ALGSURF_I_RANGE_OF_DOUBLES 2200 /* bits: from 2^1024 down to 2^-1075, and some more */
+
 #define ALGSURF_I_ENDLESS ((algsurf_scaled){1, 0, (int64_t)1 << 46}) /* a size above all others */
 
 /* Where roots go to. */

@@ -16,8 +16,7 @@
 #include "discs.h"
 
 #define NARROW_PART 56 /* bits by which blur is below each part of a root, */
-#define NARROW 72      /* or below the larger one; */
-#define NARROWEST 1200 /* that of a root whose box meets another one: where a part may be 0, below all doubles */
+#define NARROW 72      /* or below the larger one; of a root whose box meets another: below all doubles */
 #define LEAST_BITS 64  /* of a point */
 #define PATIENCE 6     /* sweeps after which a group is taken for a cluster */
 #define MIDDLE_STEPS 40
@@ -66,7 +65,7 @@ static int is_narrow(const algsurf_i_discs *d, int i) {
     if (!root->stuck && !less(by(root->disc, 8.0 * d->n), root->nearest)) return 0;
     if (d->more > 0) blur = sum(blur, root->error);
     if (is_zero(blur)) return 1;
-    const int64_t narrow = root->pressed ? NARROWEST : NARROW + d->more;
+    const int64_t narrow = root->pressed ? ALGSURF_I_RANGE_OF_DOUBLES : NARROW + d->more;
     blur.exponent += narrow;
     if (!less(most, blur) || d->more > 0) return !less(most, blur);
     blur.exponent += NARROW_PART - narrow;
