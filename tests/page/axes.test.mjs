@@ -40,7 +40,7 @@ visitTest("the box is whole in the picture, in the link, and comes back from it"
     await visit.finished();
     assert.equal(atBorder(await visit.pixels()), 0);
     await visit.button("view.fit").first().click();
-    await visit.finished();
+    await visit.rested();
     const { picture, ...state } = await visit.state(), pixels = await visit.pixels();
     assert.equal(atBorder(pixels), 0);
     await visit.screenshot("a box with numbers");

@@ -125,6 +125,16 @@ export class Visit {
         return this.until(pictureOf, "last");
     }
 
+    /** The same, and half a second later nothing has changed: what a click has asked for has come. */
+    async rested() {
+        for (let before = null, now = ""; before !== now; now = JSON.stringify(await this.state())) {
+            await this.finished();
+            before = JSON.stringify(await this.state());
+            await sleep(500);
+            await this.finished();
+        }
+    }
+
     /** Waits for an element to be seen, or to be there. */
     wait(selector, state = "visible") {
         return this.page.locator(selector).first().waitFor({ state });
