@@ -35,17 +35,21 @@
     DEGREES_2_TO_4(statement)                                                                                \
     FOR_ONE_DEGREE(6, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement)
 
-APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line, lanes *b, int n) {
-    if (n > ALGSURF_MAX_NODE_DEGREE) __builtin_unreachable();
-    FOR_DEGREES(COMMON_DEGREES, n, coefficients_from_nodes(s, line->middle, line->half, b, N),
-                NODE_DEGREES(coefficients_from_nodes(s, line->middle, line->half, b, N)))
+INLINE void coefficients(const algsurf_surface *s, const chord_line *line, int alone, lanes *b, int n) {
+    if (alone)
+        coefficients_of_one(s, line->middle, line->half, b, n);
+    else
+        coefficients_from_nodes(s, line->middle, line->half, b, n);
 }
 
 /* b from nodes, and one radius for all of them. */
-INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+APART void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     const algsurf_surface *s = job->surface;
+    const int alone = LANES == 2 && job->rays->count == 1;
     lanes reach[3];
-    coefficients_of_many(s, line, k->b, n);
+    if (n > ALGSURF_MAX_NODE_DEGREE) __builtin_unreachable();
+    FOR_DEGREES(COMMON_DEGREES, n, coefficients(s, line, alone, k->b, N),
+                NODE_DEGREES(coefficients(s, line, alone, k->b, N)))
     for (int i = 0; i < 3; i++) reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     double factor = (10 * n + 20) * 0x1p-53 + s->error;
     k->e[0] = factor * s->amplification * surface_magnitude(s, reach) + LOST_BY_UNDERFLOW;

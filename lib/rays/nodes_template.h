@@ -71,4 +71,23 @@ INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle
     }
 }
 
+/* The same bits for one chord, the first lane's: nodes, then coefficients, side by side. */
+INLINE void coefficients_of_one(const algsurf_surface *s, const lanes middle[3], const lanes half[3],
+                                lanes *b, int n) {
+    const int block = n / LANES + 1;
+    lanes x[3][MOST_NODES], p[MOST_NODES];
+    for (int i = 0; i < 3; i++)
+        for (int m = 0; m < block; m++) {
+            x[i][m] = middle[i][0] + load(s->nodes + m * LANES) * half[i][0];
+            if (s->stride[i] == 2) x[i][m] *= x[i][m];
+        }
+    surface_values(s, block, (const lanes *const[]){x[0], x[1], x[2]}, p);
+    for (int j = 0; j <= n; j += LANES) {
+        const double *w = s->to_bernstein + j;
+        lanes sum = load(w) * p[0][0];
+        for (int m = 1; m <= n; m++) sum += load(w + m * ALGSURF_NODE_STRIDE) * p[m / LANES][m % LANES];
+        for (int k = 0; k < LANES && j + k <= n; k++) b[j + k] = all_lanes(sum[k]);
+    }
+}
+
 #endif
