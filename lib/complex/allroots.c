@@ -1,11 +1,11 @@
 /* allroots.c - all roots of one polynomial: doubles as integers, the order of the steps, solvers.
  *
  * A coefficient is m 2^e with integers m and e: a power of two times p(2^unit y) has integers for
- * coefficients, without any rounding.  What doubles propose is proved and made narrow by discs.c; where roots
- * stay together, the polynomial may have multiple ones, which never part: with exact real coefficients p is a
- * constant times prod f_k^k, where the squarefree f_k holds the roots of multiplicity k, once each (Yun 1976,
- * poly/multiplicity.c), and each f_k is solved by itself.  The boxes of all factors together hold all roots,
- * and are joined where they meet. */
+ * coefficients, without any rounding.  What doubles propose is proved and made narrow by discs.c.  Where that
+ * leaves roots open, the polynomial may have multiple ones, which never part; a gcd modulo a prime tells.
+ * With exact real coefficients p is a constant times prod f_k^k, where the squarefree f_k holds the roots of
+ * multiplicity k, once each (Yun 1976, poly/multiplicity.c), and each f_k is solved by itself.  The boxes of
+ * all factors together hold all roots, and are joined where they meet. */
 #include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,6 @@
 #include "discs.h"
 
 #define OWN_WORDS ((size_t)(15 << 10) / sizeof(uint64_t)) /* on the stack */
-#define FIRST_SWEEPS 4                                    /* before multiple roots are looked for */
 #define RADII_SWEEPS 64                                   /* what radii allow to know is known by then */
 
 /* A polynomial, without exact zeros at either end, and what is made of it. */
@@ -141,7 +140,7 @@ static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given)
     algsurf_i_discs d;
     int open;
     if (!algsurf_i_discs_begin(&d, s->m, z, given, &s->answer.proposed)) return 0;
-    if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : FIRST_SWEEPS, &open)) return 0;
+    if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : 0, &open)) return 0;
     s->answer.unit = s->unit;
     if (!s->r && (open || (z->p.im.c && meets_axis(&d)))) {
         if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer)) return 0;

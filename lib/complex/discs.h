@@ -173,7 +173,7 @@ int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_sc
 
 /* ---- discs.c, part.c ---- */
 
-/* Discs about approximations of all roots, of degree 1 at least: as algsurf_i_propose has them. */
+/* Approximations of all roots, of degree 1 at least, as algsurf_i_propose has them, and discs about them. */
 int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p,
                           const algsurf_scaled *given, int *corrections);
 /* p at the points that have moved, and all discs and groups. */
@@ -183,7 +183,7 @@ int algsurf_i_discs_prove(algsurf_i_discs *d);
 int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int last, double clear, int *w,
                            algsurf_scaled *spread);
 /* Sweeps until all roots are alone and narrow, or as small as radii allow, or `most` times; *open: how many
- * are not. */
+ * are not.  The discs are those of the points where it stops. */
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open);
 
 /* ---- squares.c ---- */

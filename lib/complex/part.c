@@ -50,7 +50,7 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integ
         d->root[i].width = 2;
         if (!algsurf_i_set_point(m, &d->root[i].z, &algsurf_i_origin, z[i], z[i].exponent - 60, 0)) return 0;
     }
-    return 1;
+    return algsurf_i_discs_prove(d);
 }
 
 /* ---- steps ---- */
@@ -289,7 +289,6 @@ static int take_step(algsurf_i_discs *d, int i) {
 
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
     for (int k = 0;; k++) {
-        if (!algsurf_i_discs_prove(d)) return 0;
         *open = count_open(d);
         if (k >= most && (*open > 0 || d->p->radius)) return 1; /* before points move: discs are of these */
         for (int g = 0; g < d->n; g++)
@@ -299,5 +298,6 @@ int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
         for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
         for (int j = 0; j < d->n; j++)
             if (!d->root[j].done && !take_step(d, j)) return 0;
+        if (!algsurf_i_discs_prove(d)) return 0;
     }
 }
