@@ -1,8 +1,11 @@
 /* part.c - brings points to the roots of a polynomial, and roots apart: nothing here has to be proved.
  *
- * Step.  r_i ~ z_i - W_i / (1 + sum_{j != i} W_j / (z_i - z_j)): Ehrlich's and Aberth's step (1967, 1973),
- * since p' is known from the W by Lagrange's formula (Boersch-Supan 1970).  It triples the digits that are
- * right.
+ * Step.  p(x) = c_n prod (x - z_j) (1 + sum W_j / (x - z_j)), by Lagrange's formula: the W_j alone tell the
+ * roots, the better the closer the points are to them (the secular equation of Bini and Robol 2014).
+ * Ehrlich's and Aberth's method (1967, 1973) goes some steps towards them in doubles, from x_i = z_i on,
+ * before p is computed again.  With u = x_i - z_i, g(x) = 1 + sum_{j != i} W_j / (x - z_j), v = u g + W_i and
+ * all sums over j != i, p'/p - sum 1 / (x_i - x_j) is (g + u g') / v - sum (x_j - z_j) / ((x_i - z_j) (x_i -
+ * x_j)): where u = 0, too.
  *
  * Clusters.  Towards m roots close together this goes on by some bits a sweep only.  Taylor's coefficients
  * about their middle, where that of y^(m-1) is 0, tell how far apart they are (Newton's polygon), however
@@ -20,6 +23,7 @@
 #define LEAST_BITS 64  /* of a point */
 #define PATIENCE 6     /* sweeps after which a group is taken for a cluster */
 #define MIDDLE_STEPS 40
+#define STEPS_ON_W 4            /* between values of p; 24 bits of W are right */
 #define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
 #define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
 
@@ -84,30 +88,39 @@ static int move(algsurf_i_discs *d, int i, algsurf_scaled step) {
                                top - (bits < LEAST_BITS ? LEAST_BITS : bits), on_axis);
 }
 
-/* The step of point i; from another point, or where there is none, a little away, each in its own direction.
- */
-static int step_of(algsurf_i_discs *d, int i, algsurf_scaled *step) {
-    const algsurf_i_disc *root = d->root + i;
-    algsurf_scaled total = scaled_of(1, 0, 0), a, size = root->z.head;
-    if (is_zero(size)) size = scaled_of(1, 0, -64);
+/* Makes x_i = z_i - next better; *settled stays where it was good.  Where another point is, or where there is
+ * no W, it is a little aside, each point in its own direction. */
+static int improve(algsurf_i_discs *d, int i, int *settled) {
+    algsurf_i_disc *root = d->root + i;
+    const algsurf_scaled u = negative(root->next);
+    algsurf_scaled g = scaled_of(1, 0, 0), slope = scaled_none(), turned = scaled_none(), a,
+                   size = root->z.head;
     double way[2];
+    if (is_zero(size)) size = scaled_of(1, 0, -64);
     algsurf_i_circle(TURN * i + 0.7, way);
-    *step = scaled_of(way[0], way[1], size.exponent - 10);
-    if (!less(root->disc, ALGSURF_I_ENDLESS)) return 1;
-    algsurf_scaled turned = scaled_none();
+    const algsurf_scaled aside = scaled_of(way[0], way[1], size.exponent - 10);
+    if (!less(root->disc, ALGSURF_I_ENDLESS)) return root->next = aside, 1;
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
         if (!difference(d, i, j, &a)) return 0;
         const algsurf_i_disc *other = d->root + j;
-        algsurf_scaled before = is_zero(other->next) ? a : sum(a, negative(other->next));
-        if (is_zero(a) || is_zero(before)) continue;
-        total = sum(total, over(other->step, before));
-        if (!is_zero(other->next)) turned = sum(turned, over(other->next, times(before, a)));
+        const algsurf_scaled old = sum(a, u), now = sum(old, other->next);
+        if (is_zero(old) || is_zero(now)) continue;
+        const algsurf_scaled part = over(other->step, old);
+        g = sum(g, part);
+        if (!is_zero(u)) slope = sum(slope, negative(over(part, old)));
+        if (!is_zero(other->next)) turned = sum(turned, over(other->next, times(old, now)));
     }
-    total = sum(total, times(root->step, turned));
-    if (total.exponent < -10) return 1;
-    *step = over(root->step, total);
-    if (step->exponent > size.exponent + 1) step->exponent = size.exponent + 1;
+    const algsurf_scaled v = sum(times(u, g), root->step);
+    const algsurf_scaled below = sum(sum(g, times(u, slope)), times(v, turned));
+    if (below.exponent < -10) {
+        if (is_zero(root->next)) root->next = aside;
+        return 1;
+    }
+    algsurf_scaled better = over(v, below);
+    *settled = *settled && better.exponent < root->next.exponent - 12;
+    root->next = sum(root->next, better);
+    if (root->next.exponent > size.exponent + 1) root->next.exponent = size.exponent + 1;
     return 1;
 }
 
@@ -236,10 +249,10 @@ static int is_cluster(algsurf_i_discs *d, int g) {
     return 1;
 }
 
-/* Whether root i is at the conjugate of one that has moved, both clear of the axis: it stays there. */
+/* Whether root i is at the conjugate of one that moves, both clear of the axis: it stays there. */
 static int follows_mate(const algsurf_i_discs *d, int i) {
     const algsurf_i_disc *root = d->root + i;
-    return root->mate >= 0 && root->mate < i && !d->root[root->mate].known && less(root->disc, root->z.above);
+    return root->mate >= 0 && root->mate < i && !d->root[root->mate].done && less(root->disc, root->z.above);
 }
 
 /* No point has moved. */
@@ -268,23 +281,35 @@ static int snap(algsurf_i_discs *d) {
     return 1;
 }
 
-/* Where root i goes, `next` is by how much. */
+/* Where open points go. */
+static int plan_steps(algsurf_i_discs *d) {
+    for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
+    for (int k = 0, settled = 0; k < STEPS_ON_W && !settled; k++) {
+        settled = 1;
+        for (int i = 0; i < d->n; i++) {
+            algsurf_i_disc *root = d->root + i;
+            if (root->done) continue;
+            if (!follows_mate(d, i)) {
+                if (!improve(d, i, &settled)) return 0;
+                continue;
+            }
+            root->next = d->root[root->mate].next;
+            root->next.im = -root->next.im;
+        }
+    }
+    return 1;
+}
+
+/* Moves open point i. */
 static int take_step(algsurf_i_discs *d, int i) {
     algsurf_i_disc *root = d->root + i;
-    algsurf_scaled step;
     int done;
     if (follows_mate(d, i)) {
-        root->next = d->root[root->mate].next;
-        root->next.im = -root->next.im;
         root->known = 0;
         return algsurf_i_set_conjugate(d->m, &root->z, &d->root[root->mate].z);
     }
     if (!sharpen(d, i, &done)) return 0;
-    if (done) return 1;
-    if (!step_of(d, i, &step)) return 0;
-    if (is_zero(step)) return 1;
-    root->next = step;
-    return move(d, i, step);
+    return done || is_zero(root->next) || move(d, i, root->next);
 }
 
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
@@ -295,7 +320,7 @@ int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
             if (is_cluster(d, g) && !place(d, g)) return 0;
         if (*open == 0 && all_known(d) && !snap(d)) return 0;
         if (*open == 0 && all_known(d)) return 1;
-        for (int i = 0; i < d->n; i++) d->root[i].next = scaled_none();
+        if (!plan_steps(d)) return 0;
         for (int j = 0; j < d->n; j++)
             if (!d->root[j].done && !take_step(d, j)) return 0;
         if (!algsurf_i_discs_prove(d)) return 0;
