@@ -55,7 +55,7 @@ int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int las
     set_spread(d->p, z, last, spread);
     for (;; *w += *w / 2 + 1) {
         if (!algsurf_i_taylor(&d->sums, d->p, z, last, *w)) return 0;
-        algsurf_scaled least = by(d->sums.at->lost, clear);
+        algsurf_scaled least = by(d->sums.lost, clear);
         if (!less(size_of(algsurf_i_sum_head(d->sums.at)), least) || less(least, spread[0])) return 1;
     }
 }
@@ -156,18 +156,23 @@ static int set_groups(algsurf_i_discs *d) {
     return 1;
 }
 
-/* s of root i.  First with the largest reach and the least distance for all. */
+/* s of root i.  First with the largest reach and the least distance for all; then in doubles, where a reach
+ * counts as 2^-300 at least, and as 2^600 at most, which exceeds any distance: those are within 2^+-300. */
 static int share_of(algsurf_i_discs *d, int i, algsurf_scaled most, algsurf_scaled *share) {
     algsurf_i_disc *root = d->root + i;
     algsurf_scaled far;
+    double s = 0;
     *share = by(over(most, root->nearest), d->n * UP);
     if (share->exponent < -24) return 1; /* below what rounding costs */
-    *share = scaled_none();
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
-        if (!difference(d, i, j, &far)) return 0;
-        *share = sum(*share, over(d->root[d->root[j].group].next, size_of(far)));
+        if (!algsurf_i_gap(d->m, &root->z, &d->root[j].z, &far)) return 0;
+        const algsurf_scaled *reach = &d->root[d->root[j].group].next;
+        int64_t k = reach->exponent - far.exponent;
+        k = k < -300 ? -300 : k > 600 ? 600 : k;
+        s += reach->re * power_of_two(k) / sqrt(far.re * far.re + far.im * far.im);
     }
+    *share = scaled_of(fmin(s, 1), 0, 0);
     *share = by(*share, 1 + d->n * SLACK);
     return 1;
 }
@@ -245,7 +250,7 @@ static int set_values(algsurf_i_discs *d) {
         if (root->mate < 0 || root->mate > i) {
             algsurf_scaled spread;
             if (!algsurf_i_clear_taylor(d, &root->z, 0, ENOUGH, &root->width, &spread)) return 0;
-            set_known(d, root, algsurf_i_sum_head(d->sums.at), d->sums.at->lost);
+            set_known(d, root, algsurf_i_sum_head(d->sums.at), d->sums.lost);
             continue;
         }
         const algsurf_i_disc *mate = d->root + root->mate;

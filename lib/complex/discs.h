@@ -85,21 +85,21 @@ void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent);
 /* It is exactly that. */
 int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w);
-/* (re + i im) 2^exponent in w limbs each, off by the size `lost`: 0 where nothing was cut. */
+/* (re + i im) 2^exponent in w limbs each. */
 typedef struct algsurf_i_sum {
     algsurf_limb *re, *im;
     int w, bits; /* |re|, |im| <= 2^bits; -1: both are 0 */
     int64_t exponent;
-    algsurf_scaled lost;
 } algsurf_i_sum;
 static inline algsurf_scaled algsurf_i_sum_head(const algsurf_i_sum *a) {
     return algsurf_i_head(a->re, a->im, a->w, a->exponent);
 }
 /* The coefficients of p(z + y) up to that of y^last are at[0] to at[last], by Horner's rule on integers of
- * w >= 2 limbs, radii not counted.  They stay until the next call. */
+ * w >= 2 limbs or few more, radii not counted.  They stay until the next call. */
 typedef struct algsurf_i_sums {
     algsurf_memory *m;
     algsurf_i_sum *at;
+    algsurf_scaled lost; /* at[0] is off by that at most: 0 where nothing was cut */
     algsurf_limb *room;
     size_t limbs;
     int last; /* -1: no room yet */

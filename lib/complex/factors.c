@@ -95,7 +95,7 @@ static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const a
     algsurf_scaled far = sum(size_of(z->head), R), change = scaled_none();
     if (!algsurf_i_taylor(sums, &h->p, z, 0, w)) return 0;
     for (int k = h->p.re.degree; k > 0; k--) change = sum(times(change, far), by(h->size[k], k));
-    change = sum(times(change, R), sums->at->lost);
+    change = sum(times(change, R), sums->lost);
     *answer = less(by(change, 1 + 0x1p-20), size_of(algsurf_i_sum_head(sums->at)));
     return 1;
 }

@@ -88,13 +88,34 @@ static int move(algsurf_i_discs *d, int i, algsurf_scaled step) {
                                top - (bits < LEAST_BITS ? LEAST_BITS : bits), on_axis);
 }
 
+/* a in units of 2^unit, or 2^300 of them at most: sums that only steer need no more. */
+static algsurf_complex in_units(algsurf_scaled a, int64_t unit) {
+    const int64_t k = a.exponent - unit;
+    const double scale = k < -600 ? 0 : power_of_two(k < 300 ? k : 300);
+    return (algsurf_complex){a.re * scale, a.im * scale};
+}
+
+static algsurf_complex product(algsurf_complex a, algsurf_complex b) {
+    return (algsurf_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+static algsurf_complex quotient(algsurf_complex a, algsurf_complex b) {
+    const double unit = 1 / (b.re * b.re + b.im * b.im);
+    return (algsurf_complex){(a.re * b.re + a.im * b.im) * unit, (a.im * b.re - a.re * b.im) * unit};
+}
+
+static algsurf_complex plus(algsurf_complex a, algsurf_complex b) {
+    return (algsurf_complex){a.re + b.re, a.im + b.im};
+}
+
 /* Makes x_i = z_i - next better; *settled stays where it was good.  Where another point is, or where there is
  * no W, it is a little aside, each point in its own direction. */
 static int improve(algsurf_i_discs *d, int i, int *settled) {
     algsurf_i_disc *root = d->root + i;
     const algsurf_scaled u = negative(root->next);
-    algsurf_scaled g = scaled_of(1, 0, 0), slope = scaled_none(), turned = scaled_none(), a,
-                   size = root->z.head;
+    const int64_t reach = larger(u, root->step).exponent;
+    algsurf_complex g = {1, 0}, slope = {0, 0}, turned = {0, 0}; /* slope times -u, `turned` times 2^reach */
+    algsurf_scaled size = root->z.head, a;
     double way[2];
     if (is_zero(size)) size = scaled_of(1, 0, -64);
     algsurf_i_circle(TURN * i + 0.7, way);
@@ -102,22 +123,28 @@ static int improve(algsurf_i_discs *d, int i, int *settled) {
     if (!less(root->disc, ALGSURF_I_ENDLESS)) return root->next = aside, 1;
     for (int j = 0; j < d->n; j++) {
         if (j == i) continue;
-        if (!difference(d, i, j, &a)) return 0;
         const algsurf_i_disc *other = d->root + j;
-        const algsurf_scaled old = sum(a, u), now = sum(old, other->next);
-        if (is_zero(old) || is_zero(now)) continue;
-        const algsurf_scaled part = over(other->step, old);
-        g = sum(g, part);
-        if (!is_zero(u)) slope = sum(slope, negative(over(part, old)));
-        if (!is_zero(other->next)) turned = sum(turned, over(other->next, times(old, now)));
+        if (!algsurf_i_gap(d->m, &root->z, &other->z, &a)) return 0;
+        const int64_t unit = a.exponent;
+        const algsurf_complex by = in_units(u, unit), way_of_other = in_units(other->next, unit);
+        const algsurf_complex old = {a.re + by.re, a.im + by.im}, now = plus(old, way_of_other);
+        if ((old.re == 0 && old.im == 0) || (now.re == 0 && now.im == 0)) continue;
+        const algsurf_complex share = quotient(in_units(other->step, unit), old);
+        g = plus(g, share);
+        if (!is_zero(u)) slope = plus(slope, product(share, quotient(by, old)));
+        if (is_zero(other->next)) continue;
+        const algsurf_scaled one = {1, 0, reach};
+        turned = plus(turned, product(quotient(way_of_other, now), quotient(in_units(one, unit), old)));
     }
-    const algsurf_scaled v = sum(times(u, g), root->step);
-    const algsurf_scaled below = sum(sum(g, times(u, slope)), times(v, turned));
-    if (below.exponent < -10) {
+    const algsurf_complex v = plus(product(in_units(u, reach), g), in_units(root->step, reach));
+    const algsurf_complex x = product(v, turned);
+    const algsurf_complex below = {g.re - slope.re + x.re, g.im - slope.im + x.im};
+    if (!(fabs(below.re) + fabs(below.im) > 0x1p-10 && fabs(v.re) + fabs(v.im) < 0x1p500)) {
         if (is_zero(root->next)) root->next = aside;
         return 1;
     }
-    algsurf_scaled better = over(v, below);
+    const algsurf_complex way_on = quotient(v, below);
+    const algsurf_scaled better = scaled_of(way_on.re, way_on.im, reach);
     *settled = *settled && better.exponent < root->next.exponent - 12;
     root->next = sum(root->next, better);
     if (root->next.exponent > size.exponent + 1) root->next.exponent = size.exponent + 1;

@@ -1,12 +1,22 @@
-/* taylor.c - p(z) and its Taylor coefficients, by Horner's rule on integers that are cut to w limbs.
+/* taylor.c - p(z) and its Taylor coefficients, by Horner's rule on integers that are as long as they need be.
  *
- * The sum so far is (r + i s) 2^e.  A step multiplies by z, exactly, and adds a coefficient; where the result
- * has more than w limbs its exponent rises and what is below is cut: less than 1 from each of two terms in
- * each part, less than 3 units of 2^e together.  What was lost before is multiplied by |z|.  The bound is a
- * sum of products of sizes, each off by less than 8 u, n of them one after the other: 2^-40 in |z| covers
- * that. */
+ * The sum so far is (r + i s) 2^e; a step multiplies it by z and adds a coefficient.  After that of c_k the
+ * sum is still to be multiplied by z^k, so that what is below 2^F |z|^-k in it is below 2^F in p(z): it is
+ * cut, for F = log2 max_k |c_k| |z|^k - 64 w + SPARE.  Before that z is multiplied without its last limbs, as
+ * many as change each part by less than half a unit of that size; the cuts change it by less than 1 for each
+ * of two terms: 4 units a step in all.  A unit is a power of two, at most twice 2^F |z|^-k.  log2 |z| is off
+ * by less than 2^-50, and 2^-53 of itself, and is below 2^26, so that n <= 1024 steps lose at most 9 n 2^F.
+ *
+ * Nothing else is cut in p(z): its sums are below 2 n times the largest term in each part, 2^(64 w + 6)
+ * units, and w + 1 limbs hold them.  Other coefficients may have larger sums, of which the ends are cut, too;
+ * nothing is said of their errors. */
 #include "../base/arithmetic.h"
+#include <math.h>
+
+#include "../base/elementary.h"
 #include "discs.h"
+
+#define SPARE 6 /* bits in which largest terms may add up without another limb */
 
 algsurf_limb algsurf_i_limb_at(const algsurf_limb *a, int w, int64_t from) {
     if (from >= 64 * (int64_t)w) return 0 - (a[w - 1] >> 63);
@@ -55,58 +65,77 @@ int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w)
 /* What a sum is multiplied by, and room for the product. */
 typedef struct multiplier {
     algsurf_z_factor x, y;
+    int w, most; /* limbs of each part, and of a sum at most */
+    int real;    /* all parts im are 0, and stay as they are */
     int64_t exponent;
-    algsurf_scaled far; /* |z|, rounded up */
     algsurf_limb *re, *im;
-    int wide;
 } multiplier;
 
+/* -1: both are 0. */
 static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
-    if (algsurf_z_sign(x, w) == 0 && algsurf_z_sign(y, w) == 0) return -1;
-    return bits_of(x, y, w);
+    const int bits = bits_of(x, y, w); /* of 0 and of -1 it is 0 */
+    return bits == 0 && x[0] == 0 && y[0] == 0 ? -1 : bits;
 }
 
-/* The product of a sum that is not 0 with z; its bits. */
-static int multiply(const algsurf_i_sum *a, const multiplier *z) {
-    const int wide = z->wide;
+/* What is left of a number without its last limbs. */
+static algsurf_z_factor without(algsurf_z_factor f, int limbs) {
+    f.limb += limbs, f.length = f.length > limbs ? f.length - limbs : 0;
+    return f;
+}
+
+/* The product of a sum that is not 0 with z without its last limbs; its bits. */
+static int multiply(const algsurf_i_sum *a, const multiplier *z, int cut) {
+    const int wide = a->w + z->w - cut;
+    const algsurf_z_factor x = without(z->x, cut), y = without(z->y, cut);
     algsurf_z_zero(z->re, wide);
+    algsurf_z_add_times(z->re, wide, a->re, a->w, &x, 0);
+    if (z->real) return bits_or_none(z->re, z->re, wide);
     algsurf_z_zero(z->im, wide);
-    algsurf_z_add_times(z->re, wide, a->re, a->w, &z->x, 0);
-    algsurf_z_add_times(z->im, wide, a->re, a->w, &z->y, 0);
+    algsurf_z_add_times(z->im, wide, a->re, a->w, &y, 0);
     if (algsurf_z_sign(a->im, a->w) != 0) {
-        algsurf_z_add_times(z->re, wide, a->im, a->w, &z->y, 1);
-        algsurf_z_add_times(z->im, wide, a->im, a->w, &z->x, 0);
+        algsurf_z_add_times(z->re, wide, a->im, a->w, &y, 1);
+        algsurf_z_add_times(z->im, wide, a->im, a->w, &x, 0);
     }
     return bits_or_none(z->re, z->im, wide);
 }
 
-/* sum = sum z + t; t's im may be null: 0. */
-static void step(algsurf_i_sum *a, const multiplier *z, const algsurf_i_sum *t) {
-    int64_t top = INT64_MIN, low = INT64_MAX, exponent = a->exponent + z->exponent;
-    const int bits = a->bits >= 0 ? multiply(a, z) : -1;
-    if (bits >= 0) top = exponent + bits, low = exponent;
+/* r = a + b, each times a power of two, less what is below 1; no bits: 0. */
+static void join(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift_a,
+                 const algsurf_limb *b, int wb, int64_t shift_b) {
+    algsurf_z_zero(r, w);
+    if (a) algsurf_i_add_shifted(r, w, a, wa, shift_a);
+    if (b) algsurf_i_add_shifted(r, w, b, wb, shift_b);
+}
+
+/* sum = sum z + t, cut below 2^low; t's im may be null: 0.  Whether anything was cut. */
+static int step(algsurf_i_sum *a, const multiplier *z, const algsurf_i_sum *t, int64_t low) {
+    int64_t top = INT64_MIN, end = INT64_MAX, exponent = a->exponent + z->exponent;
+    const int64_t idle = (low - exponent - a->bits - 2) / 64;
+    const int cut = a->bits < 0 || idle < 0 ? 0 : idle < z->w ? (int)idle : z->w - 1;
+    const int bits = a->bits >= 0 ? multiply(a, z, cut) : -1, wide = a->w + z->w - cut;
+    exponent += 64 * cut;
+    if (bits >= 0) top = exponent + bits, end = exponent;
     if (t->bits >= 0) {
         top = top > t->exponent + t->bits ? top : t->exponent + t->bits;
-        low = low < t->exponent ? low : t->exponent;
+        end = end < t->exponent ? end : t->exponent;
     }
-    if (!is_zero(a->lost)) a->lost = times(a->lost, z->far);
-    if (!is_zero(t->lost)) a->lost = sum(a->lost, t->lost);
-    algsurf_z_zero(a->re, a->w);
-    algsurf_z_zero(a->im, a->w);
-    a->bits = -1;
-    if (low == INT64_MAX) return;
-    int64_t e = top + 2 - 64 * (int64_t)a->w;
-    a->exponent = e = e < low ? low : e;
-    if (bits >= 0) {
-        algsurf_i_add_shifted(a->re, a->w, z->re, z->wide, exponent - e);
-        algsurf_i_add_shifted(a->im, a->w, z->im, z->wide, exponent - e);
+    if (end == INT64_MAX) {
+        a->w = 1, a->bits = -1, *a->re = *a->im = 0;
+        return cut > 0;
     }
-    if (t->bits >= 0) {
-        algsurf_i_add_shifted(a->re, a->w, t->re, t->w, t->exponent - e);
-        if (t->im) algsurf_i_add_shifted(a->im, a->w, t->im, t->w, t->exponent - e);
-    }
-    a->bits = bits_or_none(a->re, a->im, a->w);
-    if (e > low) a->lost = sum(a->lost, scaled_of(3, 0, e));
+    int64_t e = top + 2 - 64 * (int64_t)z->most;
+    if (e < low) e = low;
+    const int is_cut = cut > 0 || e > end;
+    if (e < end) e = end;
+    a->exponent = e;
+    a->w = top + 2 > e ? (int)((top + 65 - e) / 64) : 1;
+    join(a->re, a->w, bits >= 0 ? z->re : NULL, wide, exponent - e, t->bits >= 0 ? t->re : NULL, t->w,
+         t->exponent - e);
+    if (!z->real)
+        join(a->im, a->w, bits >= 0 ? z->im : NULL, wide, exponent - e, t->bits >= 0 ? t->im : NULL, t->w,
+             t->exponent - e);
+    a->bits = bits_or_none(a->re, z->real ? a->re : a->im, a->w);
+    return is_cut;
 }
 
 /* Room for `last` + 1 sums; what is too small is left to the memory's end. */
@@ -123,26 +152,38 @@ static int make_room(algsurf_i_sums *s, int last, size_t limbs) {
     return s->room != NULL;
 }
 
+/* The largest |c_k| |z|^k up to k = n, as bits, for |z| = 2^far. */
+static double largest_term(const algsurf_i_gaussian *p, int n, double far) {
+    double most = p->bits[n] + n * far;
+    for (int k = 0; k < n; k++)
+        if (p->bits[k] >= 0) most = fmax(most, p->bits[k] + k * far);
+    return most;
+}
+
 int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
                      int w) {
-    const int wide = w + z->w;
-    if (!make_room(s, last, 2 * ((size_t)(last + 1) * (size_t)w + (size_t)wide + (size_t)z->w))) return 0;
+    const int most = w + 1, wide = most + z->w, real = !p->im.c && algsurf_z_sign(z->y, z->w) == 0;
+    if (!make_room(s, last, 2 * ((size_t)(last + 1) * (size_t)most + (size_t)wide + (size_t)z->w))) return 0;
     algsurf_limb *room = s->room;
-    multiplier by = {.exponent = z->exponent, .far = size_of(z->head), .wide = wide};
+    multiplier by = {.exponent = z->exponent, .w = z->w, .most = most, .real = real};
     by.x = algsurf_z_factor_of(z->x, z->w, room), room += z->w;
     by.y = algsurf_z_factor_of(z->y, z->w, room), room += z->w;
     by.re = room, by.im = room + wide, room += 2 * wide;
-    by.far.re *= 1 + 0x1p-40;
-    for (int j = 0; j <= last; j++, room += 2 * w)
-        s->at[j] = (algsurf_i_sum){room, room + w, w, -1, 0, scaled_none()};
-    for (int k = p->re.degree; k >= 0; k--) {
-        for (int j = last; j > 0; j--) step(s->at + j, &by, s->at + j - 1);
+    algsurf_z_zero(room, 2 * most * (last + 1));
+    for (int j = 0; j <= last; j++, room += 2 * most) s->at[j] = (algsurf_i_sum){room, room + most, 1, -1, 0};
+    const algsurf_scaled size = size_of(z->head);
+    const double far = is_zero(size) ? 0 : algsurf_i_log2(size.re) + (double)size.exponent;
+    const int n = is_zero(size) && last < p->re.degree ? last : p->re.degree; /* at 0 no others count */
+    const double F = largest_term(p, n, far) - 64.0 * w + SPARE;
+    int cuts = 0;
+    for (int k = n; k >= 0; k--) {
         const algsurf_i_sum c = {.re = algsurf_zpoly_at(&p->re, k),
                                  .im = p->im.c ? algsurf_zpoly_at(&p->im, k) : NULL,
                                  .w = p->re.width,
-                                 .bits = p->bits[k],
-                                 .lost = scaled_none()};
-        step(s->at, &by, &c);
+                                 .bits = p->bits[k]};
+        for (int j = last; j > 0; j--) step(s->at + j, &by, s->at + j - 1, (int64_t)(F - (j + k) * far));
+        cuts += step(s->at, &by, &c, (int64_t)(F - k * far));
     }
+    s->lost = scaled_of(9.0 * cuts, 0, (int64_t)ceil(F));
     return 1;
 }
