@@ -263,6 +263,13 @@ TEST(test_bent) {
     set_free(s);
 }
 
+/* What a radius of 1 in the constant makes of a root at t, as doubles have it. */
+static double reach_at(const exact_zpoly *p, double t) {
+    double slope = 0;
+    for (int k = p->n; k > 0; k--) slope = slope * t + k * mpz_get_d(p->c[k]);
+    return 1 / fabs(slope);
+}
+
 /* Without radii, and with tiny ones, all simple roots are decided, and tight. */
 TEST(test_tight) {
     uint64_t seed = SEED + 1;
@@ -277,10 +284,13 @@ TEST(test_tight) {
         exact_sturm chain = exact_sturm_of(s->p->c, s->p->n);
         int near_zero = i % 2; /* there the radius counts */
         if (!near_zero && s->count != exact_count_roots(&chain, s->lo, s->hi)) failed(s, "count", s->count);
-        for (int k = 0; k < s->count; k++)
-            if ((s->found[k].lo > 0x1p-40 || s->found[k].hi < -0x1p-40) &&
-                (!s->found[k].sign_lo || s->found[k].hi > nextafter(nextafter(s->found[k].lo, 9), 9)))
+        for (int k = 0; k < s->count; k++) {
+            const algsurf_exact_range *r = s->found + k;
+            const double reach = near_zero ? 4 * reach_at(s->p, r->lo) : 0;
+            if ((r->lo > 0x1p-40 || r->hi < -0x1p-40) &&
+                (!r->sign_lo || r->hi - reach > nextafter(nextafter(r->lo, 9), 9)))
                 failed(s, "tight", k);
+        }
         roots += s->count;
         if (s->count > 1) { /* ends next to the first root and the last one */
             s->lo = s->found[0].hi, s->hi = s->found[s->count - 1].lo;

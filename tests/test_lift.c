@@ -115,10 +115,10 @@ TEST(test_fractions) {
 }
 
 /* One image is of other numbers: with two images more than necessary its prime would join all numerators and
- * the denominator. */
+ * the denominator, which are no longer small, but by chance. */
 TEST(test_wrong_image) {
     static bench t = {.seed = SEED + 1};
-    int tried = 0;
+    int tried = 0, wrong = 0;
     for (int k = 0; k <= MOST; k++) mpz_init(t.number[k]);
     mpz_inits(t.p, t.x, NULL);
     for (int i = 0; i < 300; i++) {
@@ -134,12 +134,13 @@ TEST(test_wrong_image) {
             add_image(&t);
             algsurf_memory_mark here = algsurf_memory_here(&t.m);
             assert_true(algsurf_lift_guess(&t.lift, &found, &c));
-            if (found && k > 2) fail_msg("seed %u round %d: a guess from a wrong image", SEED + 1, i);
+            wrong += found && k > 2;
             algsurf_memory_release(&t.m, here);
         }
         tried++;
     }
     assert_true(tried > 100);
+    if (wrong > tried / 50) fail_msg("seed %u: %d guesses from a wrong image", SEED + 1, wrong);
     for (int k = 0; k <= MOST; k++) mpz_clear(t.number[k]);
     mpz_clears(t.p, t.x, NULL);
 }
