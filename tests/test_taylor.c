@@ -5,7 +5,7 @@
  * on the axes and beside them, 0, of one bit or of many limbs, tiny or huge.  Exact are GMP's integers.
  *
  * Breaks tried, each caught: a sum of 0 that keeps its limbs; a ninth of the loss; one more limb of the point
- * left out; cuts not counted. */
+ * left out; cuts not counted; a limb less than what p(z) needs. */
 #include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
 
 #include <gmp.h>
@@ -161,6 +161,7 @@ static void exact_sum(const question *q, int j, number *sum) {
 }
 
 static double worst = -HUGE_VAL;
+static int exact_count;
 
 /* log2 of the size, 0 for 0. */
 static double log2_of(const number *a) {
@@ -209,6 +210,15 @@ static void judge(question *q, algsurf_memory *m, int round) {
             if (w == most && off > size) fail_msg("round %d: coefficient %d is wrong", round, j);
         }
     }
+    const int whole = algsurf_i_whole_width(&q->p.p, &q->at);
+    if (whole < 4 * LIMBS - 8) {
+        double size;
+        exact_sum(q, 0, &exact);
+        assert_true(algsurf_i_taylor(&sums, &q->p.p, &q->at, 0, whole));
+        if (!is_zero(sums.lost) || error_of(sums.at, &exact, &size) > -HUGE_VAL)
+            fail_msg("round %d: %d limbs do not suffice (seed %llu)", round, whole, (unsigned long long)seed);
+        exact_count++;
+    }
     number_clear(&exact);
 }
 
@@ -226,7 +236,7 @@ TEST(within_what_is_lost) {
     }
     for (int k = 0; k <= MOST; k++) number_clear(q.c + k);
     number_clear(&q.z);
-    assert_true(worst > -8); /* the bound is felt */
+    assert_true(worst > -8 && exact_count > 1000); /* the bound is felt */
 }
 
 int main(void) {

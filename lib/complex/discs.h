@@ -100,10 +100,12 @@ typedef struct algsurf_i_sums {
     algsurf_memory *m;
     algsurf_i_sum *at;
     algsurf_scaled lost; /* at[0] is off by that at most: 0 where nothing was cut */
-    algsurf_limb *room;
-    size_t limbs;
+    algsurf_limb *room, *rest;
+    size_t limbs, rest_limbs;
     int last; /* -1: no room yet */
 } algsurf_i_sums;
+/* Limbs for which nothing of p(z) is cut. */
+int algsurf_i_whole_width(const algsurf_i_gaussian *p, const algsurf_i_point *z);
 int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
                      int w);
 
@@ -155,9 +157,9 @@ static inline int difference(const algsurf_i_discs *d, int i, int j, algsurf_sca
 }
 static inline int is_alone(const algsurf_i_discs *d, int i) { return d->root[d->root[i].group].members == 1; }
 
-/* z = z - a / (factor b), cut below 2^low; y = 0 if on_axis.  What is left of `a` means nothing. */
-int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
-                                const algsurf_i_sum *b, int factor, int64_t low, int on_axis);
+/* z = z - at[j] / (factor at[j + 1]), cut below 2^low; y = 0 if on_axis. */
+int algsurf_i_subtract_quotient(algsurf_i_sums *s, algsurf_i_point *z, int j, int factor, int64_t low,
+                                int on_axis);
 
 /* ---- propose.c ---- */
 

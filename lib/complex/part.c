@@ -167,8 +167,7 @@ static int sharpen(algsurf_i_discs *d, int i, int *done) {
     root->known = 0;
     d->moved++;
     if (!algsurf_i_taylor(&d->sums, d->p, &root->z, 1, root->width)) return 0;
-    algsurf_i_sum *c = d->sums.at;
-    return algsurf_i_subtract_quotient(d->m, &root->z, c, c + 1, 1, low, on_axis);
+    return algsurf_i_subtract_quotient(&d->sums, &root->z, 0, 1, low, on_axis);
 }
 
 /* ---- clusters ---- */
@@ -223,7 +222,7 @@ static int place(algsurf_i_discs *d, int g) {
         if (is_zero(shift) || shift.exponent < reach - 4) break;
         int64_t gain = (less(away, ALGSURF_I_ENDLESS) ? away : middle.head).exponent - shift.exponent;
         int64_t low = shift.exponent - LEAST_BITS - (gain > 0 ? gain : 0);
-        if (!algsurf_i_subtract_quotient(d->m, &middle, c + m - 1, c + m, m, low,
+        if (!algsurf_i_subtract_quotient(&d->sums, &middle, m - 1, m, low,
                                          middle.above.re == 0 && d->p->real))
             return 0;
     }
@@ -304,6 +303,8 @@ static int snap(algsurf_i_discs *d) {
         if (!algsurf_i_set_point(d->m, &root->z, &algsurf_i_origin, z[!least], low, 0) ||
             !algsurf_i_set_point(d->m, &root->z, &root->z, z[least], low, 0))
             return 0;
+        const int whole = algsurf_i_whole_width(d->p, &root->z); /* as a rule the value is 0 */
+        root->width = whole > root->width ? whole : root->width;
     }
     return 1;
 }

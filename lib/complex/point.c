@@ -108,20 +108,40 @@ static void subtract_product(algsurf_i_sum *a, const algsurf_i_sum *b, int64_t x
         }
 }
 
-/* Chunks of the quotient by doubles, what is left by integers, until that is no less. */
-int algsurf_i_subtract_quotient(algsurf_memory *m, algsurf_i_point *z, algsurf_i_sum *a,
-                                const algsurf_i_sum *b, int factor, int64_t low, int on_axis) {
+/* A sum with as many limbs more below, in its sums' room for a rest, with `after` limbs behind it. */
+static int lengthen(algsurf_i_sums *s, const algsurf_i_sum *a, int more, int after, algsurf_i_sum *longer) {
+    const int w = a->w + more;
+    const size_t limbs = 2 * (size_t)w + (size_t)after;
+    if (limbs > s->rest_limbs) {
+        s->rest_limbs = limbs + limbs / 2;
+        s->rest = algsurf_memory_take(s->m, s->rest_limbs);
+    }
+    if (!s->rest) return 0;
+    *longer = (algsurf_i_sum){.re = s->rest, .im = s->rest + w, .w = w, .exponent = a->exponent - 64 * more};
+    algsurf_z_zero(longer->re, 2 * w);
+    algsurf_z_copy(longer->re + more, a->w, a->re, a->w);
+    algsurf_z_copy(longer->im + more, a->w, a->im, a->w);
+    return 1;
+}
+
+/* Chunks of the quotient by doubles, what is left by integers, until that is no less.  The last chunk's last
+ * bit times that of the divisor is not below the last one of what is left. */
+int algsurf_i_subtract_quotient(algsurf_i_sums *s, algsurf_i_point *z, int j, int factor, int64_t low,
+                                int on_axis) {
+    const algsurf_i_sum *a = s->at + j, *b = a + 1;
     const algsurf_scaled divisor = by(algsurf_i_sum_head(b), factor);
-    algsurf_limb *room = algsurf_memory_take(m, (size_t)b->w + 1);
-    if (!room) return 0;
+    const int64_t more = (a->exponent - low + 50 - b->exponent) / 64 + 1;
+    algsurf_i_sum rest;
+    if (more > MOST_BITS || !lengthen(s, a, more > 0 ? (int)more : 0, b->w + 1, &rest)) return 0;
     for (int64_t before = INT64_MAX;;) {
-        algsurf_scaled way = over(algsurf_i_sum_head(a), divisor);
+        algsurf_scaled way = over(algsurf_i_sum_head(&rest), divisor);
         if (way.exponent < low || way.exponent >= before) return 1;
         int64_t x = (int64_t)(way.re * 0x1p50), y = (int64_t)(way.im * 0x1p50);
         before = way.exponent;
         way.re = -(double)x * 0x1p-50, way.im = -(double)y * 0x1p-50;
-        if (!algsurf_i_set_point(m, z, z, way, low, on_axis)) return 0;
-        subtract_product(a, b, factor * x, factor * y, before - 50 + b->exponent - a->exponent, room);
+        if (!algsurf_i_set_point(s->m, z, z, way, low, on_axis)) return 0;
+        subtract_product(&rest, b, factor * x, factor * y, before - 50 + b->exponent - rest.exponent,
+                         rest.im + rest.w);
     }
 }
 

@@ -160,6 +160,20 @@ static double largest_term(const algsurf_i_gaussian *p, int n, double far) {
     return most;
 }
 
+/* log2 |z|, 0 for 0. */
+static double log2_of(const algsurf_i_point *z) {
+    const algsurf_scaled size = size_of(z->head);
+    return is_zero(size) ? 0 : algsurf_i_log2(size.re) + (double)size.exponent;
+}
+
+/* What is cut of the sum after c_k is below 2^F |z|^-k; its last bit is 2^(n-k) e or more for points with a
+ * last bit of 2^e, e < 0, or 1: that is not less for F <= n e, or 0, as |z| >= 2^e. */
+int algsurf_i_whole_width(const algsurf_i_gaussian *p, const algsurf_i_point *z) {
+    const int n = p->re.degree;
+    const double last = z->exponent < 0 ? n * (double)z->exponent : 0;
+    return (int)((largest_term(p, n, log2_of(z)) + SPARE - last) / 64) + 1;
+}
+
 int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
                      int w) {
     const int most = w + 1, wide = most + z->w, real = !p->im.c && algsurf_z_sign(z->y, z->w) == 0;
@@ -171,9 +185,8 @@ int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsu
     by.re = room, by.im = room + wide, room += 2 * wide;
     algsurf_z_zero(room, 2 * most * (last + 1));
     for (int j = 0; j <= last; j++, room += 2 * most) s->at[j] = (algsurf_i_sum){room, room + most, 1, -1, 0};
-    const algsurf_scaled size = size_of(z->head);
-    const double far = is_zero(size) ? 0 : algsurf_i_log2(size.re) + (double)size.exponent;
-    const int n = is_zero(size) && last < p->re.degree ? last : p->re.degree; /* at 0 no others count */
+    const double far = log2_of(z);
+    const int n = is_zero(z->head) && last < p->re.degree ? last : p->re.degree; /* at 0 no others count */
     const double F = largest_term(p, n, far) - 64.0 * w + SPARE;
     int cuts = 0;
     for (int k = n; k >= 0; k--) {
