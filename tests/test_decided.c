@@ -367,6 +367,21 @@ TEST(test_exponents) {
     end(120, 30, 30, 0, 0);
 }
 
+/* An origin that is nothing in the surface's unit, which is huge, and from which t leads to 0 exactly. */
+TEST(test_small_origin) {
+    (void)begin("small origin");
+    const algsurf_term terms[] = {
+        {3, 1, 1, 0x1p-899}, {0, 0, 1, -0x1p531}, {1, 3, 0, 0x1p488}, {0, 0, 0, -0x1p-303}};
+    for (int sign = -1; sign <= 1; sign += 2) {
+        assert_true(intersect_terms(&c, terms, 4));
+        c.ray = (algsurf_ray){{-0x1p-1060, 0, sign * 0x1p-239}, {0, 0, 0x1p-1074}, -INFINITY, INFINITY};
+        decide(NULL);
+        assert_true(answer.count == 1 && answer.first.position[2] == 0);
+        done();
+    }
+    end(2, 2, 0, 0, 0);
+}
+
 /* Where a ray meets its extent beyond the largest double, in t: roots there, and none. */
 TEST(test_beyond_doubles) {
     static const struct {

@@ -259,6 +259,26 @@ TEST(test_beyond_range) {
     }
 }
 
+/* Coordinates that are nothing in the surface's unit are those of the ray. */
+TEST(test_small_coordinates) {
+    static const algsurf_ray rays[] = {{{0, 0x1p-255, -0x1p-66}, {0x1p392, 0x1p-71, 0}, 0, HUGE_VAL},
+                                       {{-12, 4, 0.25}, {-0x1p-819, 0x1p-478, -0x1p1015}, 0, HUGE_VAL}};
+    static const algsurf_term planes[][2] = {{{1, 0, 0, -0x1p-401}, {0, 0, 0, 0x1p848}},
+                                             {{0, 0, 1, 0x1p-457}, {0, 0, 0, 0x1p927}}};
+    const algsurf_complex_space space = space_of(0, 1e-10);
+    for (int i = 0; i < 2; i++) {
+        algsurf_surface *s;
+        assert_ok(algsurf_surface_from_terms(planes[i], 2, &s));
+        algsurf_hit hit = hit_of(s, rays + i, &space);
+        assert_int_equal(hit.state, ALGSURF_STATE_HIT);
+        for (int k = 0; k < 3; k++) {
+            const double x = fma(hit.t, rays[i].direction[k], rays[i].origin[k]);
+            assert_true(fabs(hit.position[k] - x) <= 0x1p-50 * fabs(x));
+        }
+        algsurf_surface_free(s);
+    }
+}
+
 /* p(t) = a (x + d t) + i (m + k t) up to t_max: a plane seen along its normal, from -x before it. */
 typedef struct plane {
     double a, x, d, t_max, m, k;

@@ -150,16 +150,14 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
                     algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_interval ends = algsurf_i_interval_scale(algsurf_i_cinterval_abs(s->box), -f->exponent);
-    double size = magnitude_of(s->root), t = ldexp(size, -f->exponent);
+    double size = magnitude_of(s->root), t = ldexp(size, -f->exponent), x[3];
     /* |s| - centre, without the rounding of the sum where the root is real and in front */
     double offset = s->root.im == 0 && s->root.re >= 0 ? f->step * local->root.re : size - f->centre;
     hit->t = clamped(t, q->ray.t_min, fmin(q->ray.t_max, DBL_MAX));
     hit->t_lo = clamped(ends.lo, q->ray.t_min, hit->t);
     hit->t_hi = clamped(ends.hi, hit->t, q->ray.t_max);
-    for (int i = 0; i < 3; i++) {
-        double x = ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
-        hit->position[i] = isfinite(x) ? x : algsurf_i_coordinate_at(&q->ray, i, hit->t);
-    }
+    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi;
+    algsurf_i_set_position(f, x, &q->ray, q->surface->unit, hit->t, f->lost, hit->position);
     if (local->multiplicity == 1)
         set_normal(q, local->root, hit->position, hit->normal); /* a cluster has none */
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};

@@ -74,6 +74,17 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     f->lost = is_lost(f, ray->direction);
 }
 
+void algsurf_i_set_position(const algsurf_i_frame *f, const double x[3], const algsurf_ray *ray, int unit,
+                            double t, int lost, double position[3]) {
+    for (int i = 0; i < 3; i++) lost |= !isfinite(ldexp(x[i], unit));
+    for (int i = 0; i < 3; i++) {
+        const double from_t = algsurf_i_coordinate_at(ray, i, t), part[2] = {from_t, ray->origin[i]};
+        int faint = ray->direction[i] != 0 && fabs(f->V[i]) < 0x1p-900;
+        for (int k = 0; k < 2; k++) faint |= part[k] != 0 && fabs(ldexp(part[k], -unit)) < 0x1p-900;
+        position[i] = lost || faint ? from_t : ldexp(x[i], unit);
+    }
+}
+
 /* ---- P along a line ---- */
 
 typedef struct line_poly {

@@ -26,6 +26,11 @@ typedef struct algsurf_i_frame {
  * the origin of space, with the unit in which the surface's terms balance. */
 void algsurf_i_frame_of(const algsurf_surface *s, const algsurf_ray *ray, int chord, algsurf_i_frame *frame);
 
+/* x, a point of the frame at about t, in the caller's units; from t where it is lost in the frame: all of it
+ * where it overflows there, or `lost` is set, and coordinates of which underflow there took digits. */
+void algsurf_i_set_position(const algsurf_i_frame *f, const double x[3], const algsurf_ray *ray, int unit,
+                            double t, int lost, double position[3]);
+
 /* q(v) = 2^scale P(X + v D) = sum q_k v^k, X and D in natural units.  Radii: |q_k - exact| <= r_k for the
  * exact line, when each X_i is the exact coordinate up to a relative error of u and D is exact.  Overflow
  * shows as q or r that is not finite. */

@@ -32,18 +32,6 @@ static void polish(const algsurf_surface *surface, const algsurf_i_frame *f, con
     for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
-/* A point in natural units as the caller's; from t where t overflows in natural units (`beyond`), and a
- * coordinate of which underflow took digits. */
-static void set_position(const algsurf_ray *ray, const algsurf_i_frame *f, int unit, const double x[3],
-                         double t, int beyond, double position[3]) {
-    for (int i = 0; i < 3; i++) {
-        double unpolished = algsurf_i_coordinate_at(ray, i, t);
-        int lost = beyond || (ray->direction[i] != 0 && fabs(f->V[i]) < 0x1p-900);
-        lost |= unpolished != 0 && fabs(ldexp(unpolished, -unit)) < 0x1p-900;
-        position[i] = lost ? unpolished : ldexp(x[i], unit);
-    }
-}
-
 static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_ray_root *root,
                      algsurf_hit *hit) {
     const algsurf_surface *surface = q->surface;
@@ -63,9 +51,7 @@ static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const alg
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(ray, &f, surface->unit, x, root->t, f.lost || !f.one_piece, hit->position);
-    if (!algsurf_is_finite3(hit->position))
-        set_position(ray, &f, surface->unit, x, root->t, 1, hit->position);
+    algsurf_i_set_position(&f, x, ray, surface->unit, root->t, f.lost || !f.one_piece, hit->position);
     algsurf_i_set_normal(surface, ray, hit->position, off, q->memory_limit, hit->normal);
 }
 
