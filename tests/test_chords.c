@@ -520,7 +520,8 @@ static void check_clear(const test_view *v, const algsurf_i_picture *picture, ui
     algsurf_ray ray, part;
     int meets;
     assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray));
-    /* all that lies within the rounding of a chord counts as inside: so a miss is one, and a hit is decided */
+    /* all that lies within the rounding of a chord counts as inside: so a miss is one, and a hit is decided
+     */
     assert_ok(algsurf_ray_clip(&ray, &v->extent, NULL, 0, &part, &meets));
     if (meets) {
         exact_line x;

@@ -78,7 +78,8 @@ static void draw(const view *v, int tier) {
     assert_ok(algsurf_render(scene, &o, &planes, &stats));
     algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
-    if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / (random_salt ? 400 : 4000))) {
+    if (stats.undecided >
+        (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / (random_salt ? 400 : 4000))) {
         seen.wrong++;
         fprintf(stderr, "%s, view %d, tier %d: %ld pixels undecided\n", v->name, v->number, (int)tiers[tier],
                 (long)stats.undecided);

@@ -5,7 +5,7 @@
  * cut, for F = log2 max_k |c_k| |z|^k - 64 w + SPARE.  Before that z is multiplied without its last limbs, as
  * many as change each part by less than half a unit of that size; the cuts change it by less than 1 for each
  * of two terms: 4 units a step in all.  A unit is a power of two, at most twice 2^F |z|^-k.  log2 |z| is off
- * by less than 2^-50, and 2^-53 of itself, and is below 2^26, so that n <= 1024 steps lose at most 9 n 2^F.
+ * by less than 2^-50, and 2^-53 of itself, and is below 2^31, so that n <= 1024 steps lose at most 9 n 2^F.
  *
  * Nothing else is cut in p(z): its sums are below 2 n times the largest term in each part, 2^(64 w + 6)
  * units, and w + 1 limbs hold them.  Other coefficients may have larger sums, of which the ends are cut, too;
