@@ -135,12 +135,13 @@ static int meets_axis(const algsurf_i_discs *d) {
     return 0;
 }
 
-/* The roots but 0, from start values or null. */
+/* The roots but 0, from start values or null.  Where doubles do not come to rest there may be multiple ones.
+ */
 static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given) {
     algsurf_i_discs d;
-    int open;
+    int open = 1;
     if (!algsurf_i_discs_begin(&d, s->m, z, given, &s->answer.proposed)) return 0;
-    if (!algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : 0, &open)) return 0;
+    if ((s->r || d.settled) && !algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : 0, &open)) return 0;
     s->answer.unit = s->unit;
     if (!s->r && (open || (z->p.im.c && meets_axis(&d)))) {
         if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer)) return 0;

@@ -21,9 +21,14 @@ typedef struct algsurf_i_flat {
 typedef struct algsurf_i_approach {
     const algsurf_i_flat *p;
     double *x, *y, *step_x, *step_y;
-    int *state; /* 0; 1: no more steps are needed; ALGSURF_I_LOST: there is no step */
+    int *state;
 } algsurf_i_approach;
-#define ALGSURF_I_LOST 2
+enum {
+    ALGSURF_I_MOVES,
+    ALGSURF_I_RESTS,   /* no more steps are needed */
+    ALGSURF_I_BLURRED, /* nor are they possible: p is lost in rounding, and other points may be as near */
+    ALGSURF_I_LOST     /* there is no step */
+};
 
 /* For exact coefficients and degrees 1 to ALGSURF_MOST_ROOTS_IN_LANES.  Roots are simple and in order; what
  * is not proved is left to allroots.c.  Both give the same bits. */

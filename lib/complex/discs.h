@@ -113,6 +113,7 @@ typedef struct algsurf_i_discs {
     const algsurf_i_gaussian *p;
     algsurf_memory *m;
     int n, moved; /* degree; steps so far */
+    int settled;  /* doubles have brought all points to rest, apart from each other */
     int64_t more; /* bits of a root that are asked for beyond those of a double */
     algsurf_i_disc *root;
     algsurf_i_sums sums; /* of the last value */
@@ -169,13 +170,13 @@ int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, a
 /* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
  * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
  * Adds to *corrections how many there were of a root; null: there is none, the start values are the answer.
- */
+ * *settled: each came to rest, apart from the others. */
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
-                      algsurf_scaled *z, int *corrections);
+                      algsurf_scaled *z, int *corrections, int *settled);
 
 /* ---- discs.c, part.c ---- */
 
-/* Approximations of all roots, of degree 1 at least, as algsurf_i_propose has them, and discs about them. */
+/* Approximations of all roots, of degree 1 at least, as algsurf_i_propose has them; no discs yet. */
 int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p,
                           const algsurf_scaled *given, int *corrections);
 /* p at the points that have moved, and all discs and groups. */

@@ -55,8 +55,9 @@ INLINE void set_steps(const algsurf_i_approach *a, const int *who, int count, in
     mask lost = ~(less(zero, square) & less(b.nearest, all_lanes(HUGE_VAL)));
     mask done = less(length * b.nearest, all_lanes(0x1p-40)) |
                 at_most(length, 0x1p-102 * (z.re * z.re + z.im * z.im));
-    lanes state = choose(lost, all_lanes(ALGSURF_I_LOST), choose(done, one, zero));
-    state = choose(there, one, state);
+    lanes rests = choose(done, all_lanes(ALGSURF_I_RESTS), zero);
+    lanes state = choose(lost, all_lanes(ALGSURF_I_LOST), rests);
+    state = choose(there, choose(done, rests, all_lanes(ALGSURF_I_BLURRED)), state);
     lanes x = choose(there, zero, step.re), y = choose(there, zero, step.im);
     for (int l = 0; l < count; l++)
         a->step_x[who[l]] = x[l], a->step_y[who[l]] = y[l], a->state[who[l]] = (int)state[l];

@@ -47,14 +47,14 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integ
     *d = (algsurf_i_discs){.p = &p->p, .m = m, .n = n, .sums = {.m = m, .last = -1}};
     d->root = algsurf_i_take(m, (size_t)n * sizeof *d->root);
     algsurf_scaled *z = algsurf_i_take(m, 2 * (size_t)n * sizeof *z);
-    if (!d->root || !z || !algsurf_i_propose(m, p, given, z, corrections)) return 0;
+    if (!d->root || !z || !algsurf_i_propose(m, p, given, z, corrections, &d->settled)) return 0;
     memset(d->root, 0, (size_t)n * sizeof *d->root);
     if (d->p->real) pair(z, n, z + n), z += n;
     for (int i = 0; i < n; i++) {
         d->root[i].width = 2;
         if (!algsurf_i_set_point(m, &d->root[i].z, &algsurf_i_origin, z[i], z[i].exponent - 60, 0)) return 0;
     }
-    return algsurf_i_discs_prove(d);
+    return 1;
 }
 
 /* ---- steps ---- */
@@ -341,6 +341,7 @@ static int take_step(algsurf_i_discs *d, int i) {
 }
 
 int algsurf_i_discs_run(algsurf_i_discs *d, int most, int *open) {
+    if (!all_known(d) && !algsurf_i_discs_prove(d)) return 0;
     for (int k = 0;; k++) {
         *open = count_open(d);
         if (k >= most && (*open > 0 || d->p->radius)) return 1; /* before points move: discs are of these */

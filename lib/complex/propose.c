@@ -105,7 +105,7 @@ typedef struct proposal {
     algsurf_i_approach a;
     double reach, unit_of_reach; /* the largest start radius, its inverse; all roots lie within twice that
                                     (Fujiwara 1916) */
-    int *who;
+    int *who, blurred;
     unsigned char *done;
 } proposal;
 
@@ -141,7 +141,8 @@ static int sweep(proposal *p, const algsurf_i_allroots_kernel *kernel) {
             move_to(p, i, x, y, 0x1p-20 * (sqrt(x * x + y * y) + 1));
         else
             p->a.x[i] = x - p->a.step_x[i], p->a.y[i] = y - p->a.step_y[i];
-        p->done[i] = p->a.state[i] == 1;
+        p->done[i] = p->a.state[i] == ALGSURF_I_RESTS || p->a.state[i] == ALGSURF_I_BLURRED;
+        p->blurred += p->a.state[i] == ALGSURF_I_BLURRED;
         left += !p->done[i];
     }
     return left;
@@ -160,9 +161,10 @@ static int begin(proposal *p, algsurf_memory *m, const algsurf_i_flat *flat) {
 }
 
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *poly, const algsurf_scaled *given,
-                      algsurf_scaled *z, int *corrections) {
+                      algsurf_scaled *z, int *corrections, int *settled) {
     proposal p;
     int fit, n = poly->p.re.degree;
+    *settled = 0;
     if (!algsurf_i_start(m, poly->size, n, z, &fit) || !make_flat(m, poly)) return 0;
     const int64_t least = z[0].exponent - 12,
                   most = z[n - 1].exponent + 12; /* roots are within 2n times that */
@@ -180,8 +182,10 @@ int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *poly, const algsurf
     }
     p.unit_of_reach = 1 / p.reach;
     const algsurf_i_allroots_kernel *kernel = algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL));
-    for (int k = 0, left = n; corrections && k < SWEEPS && left > 0; k++)
+    int left = n;
+    for (int k = 0; corrections && k < SWEEPS && left > 0; k++)
         *corrections += left, left = sweep(&p, kernel);
+    *settled = left == 0 && p.blurred == 0;
     for (int i = 0; i < n; i++) z[i] = scaled_of(p.a.x[i], p.a.y[i], unit);
     algsurf_memory_release(m, mark);
     return 1;
