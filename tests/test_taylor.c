@@ -5,7 +5,8 @@
  * on the axes and beside them, 0, of one bit or of many limbs, tiny or huge.  Exact are GMP's integers.
  *
  * Breaks tried, each caught: a sum of 0 that keeps its limbs; a ninth of the loss; one more limb of the point
- * left out; cuts not counted; a limb less than what p(z) needs. */
+ * left out; cuts not counted; a limb less than what p(z) needs; other coefficients cut a limb higher; a
+ * quotient without limbs below those of its sums. */
 #include <stdio.h> /* before gmp.h, which then declares gmp_fprintf */
 
 #include <gmp.h>
@@ -161,7 +162,7 @@ static void exact_sum(const question *q, int j, number *sum) {
 }
 
 static double worst = -HUGE_VAL;
-static int exact_count;
+static int exact_count, quotients;
 
 /* log2 of the size, 0 for 0. */
 static double log2_of(const number *a) {
@@ -174,27 +175,64 @@ static double log2_of(const number *a) {
            (double)(top + a->exponent);
 }
 
+/* a = a - b, where b's unit may be lowered. */
+static void subtract(number *a, number *b) {
+    const long low = a->exponent < b->exponent ? a->exponent : b->exponent;
+    number_lower(a, low), number_lower(b, low);
+    mpz_sub(a->re, a->re, b->re), mpz_sub(a->im, a->im, b->im);
+}
+
 /* What a sum of the library's is off by. */
 static double error_of(const algsurf_i_sum *got, const number *exact, double *size) {
     number a, b;
     number_init(&a), number_init(&b);
     from_limbs(a.re, got->re, got->w), from_limbs(a.im, got->im, got->w), a.exponent = (long)got->exponent;
     mpz_set(b.re, exact->re), mpz_set(b.im, exact->im), b.exponent = exact->exponent;
-    const long low = a.exponent < b.exponent ? a.exponent : b.exponent;
-    number_lower(&a, low), number_lower(&b, low);
     *size = log2_of(&b);
-    mpz_sub(a.re, a.re, b.re), mpz_sub(a.im, a.im, b.im);
+    subtract(&a, &b);
     const double error = log2_of(&a);
     number_clear(&a), number_clear(&b);
     return error;
+}
+
+static void number_of_sum(number *a, const algsurf_i_sum *sum) {
+    from_limbs(a->re, sum->re, sum->w), from_limbs(a->im, sum->im, sum->w), a->exponent = (long)sum->exponent;
+}
+
+/* z less the quotient of its first two sums, to 200 bits of that: the product with the second one tells. */
+static void judge_quotient(const question *q, algsurf_i_sums *sums, int round) {
+    number a, b, way, at;
+    const algsurf_i_sum now = {.re = q->at.x, .im = q->at.y, .w = q->at.w, .exponent = q->at.exponent};
+    algsurf_i_point z = {.room = 0};
+    number_init(&a), number_init(&b), number_init(&way), number_init(&at);
+    number_of_sum(&a, sums->at), number_of_sum(&b, sums->at + 1), number_of_sum(&way, &now);
+    const double size = log2_of(&b), quotient = log2_of(&a) - size;
+    if (size > -HUGE_VAL && quotient > -HUGE_VAL && fabs(quotient) < 1000) {
+        const int64_t low = (int64_t)quotient - 200;
+        assert_true(algsurf_i_set_point(sums->m, &z, &q->at, scaled_none(), q->at.exponent, 0));
+        assert_true(algsurf_i_subtract_quotient(sums, &z, 0, 1, low, 0));
+        const algsurf_i_sum then = {.re = z.x, .im = z.y, .w = z.w, .exponent = z.exponent};
+        number_of_sum(&at, &then);
+        subtract(&way, &at);
+        number_multiply(&way, &b);
+        subtract(&way, &a);
+        const double off = log2_of(&way) - size;
+        if (off > (double)low + 4)
+            fail_msg("round %d: a quotient is off by 2^%.1f, asked 2^%ld", round, off, (long)low);
+        quotients++;
+    }
+    number_clear(&a), number_clear(&b), number_clear(&way), number_clear(&at);
 }
 
 static void judge(question *q, algsurf_memory *m, int round) {
     algsurf_i_sums sums = {.m = m, .last = -1};
     number exact;
     number_init(&exact);
-    const int last = random_int(&seed, 4), most = random_int(&seed, 4) ? 8 : 60;
-    for (int w = 2; w <= most; w += w / 2 + 1) {
+    const int last = random_int(&seed, 4), widest = random_int(&seed, 4) ? 8 : 60;
+    const double far = log2_of(&q->z);
+    double most = -HUGE_VAL; /* of the terms; others lose as much, times binomials up to (61 over 4) */
+    for (int k = 0; k <= q->n; k++) most = fmax(most, log2_of(q->c + k) + k * far);
+    for (int w = 2; w <= widest; w += w / 2 + 1) {
         assert_true(algsurf_i_taylor(&sums, &q->p.p, &q->at, last, w));
         double size;
         exact_sum(q, 0, &exact);
@@ -204,12 +242,13 @@ static void judge(question *q, algsurf_memory *m, int round) {
             fail_msg("round %d, w %d: off by 2^%.1f, lost 2^%.1f (seed %llu)", round, w, error, lost,
                      (unsigned long long)seed);
         worst = fmax(worst, error - lost);
-        for (int j = 0; j <= last && j <= q->n; j++) { /* the others: right where w is large */
+        for (int j = 1; j <= last && j <= q->n && far > -HUGE_VAL; j++) {
             exact_sum(q, j, &exact);
-            const double off = error_of(sums.at + j, &exact, &size);
-            if (w == most && off > size) fail_msg("round %d: coefficient %d is wrong", round, j);
+            const double off = error_of(sums.at + j, &exact, &size), bound = most + 32 - 64 * w - j * far;
+            if (off > bound) fail_msg("round %d, w %d: coefficient %d is off by 2^%.1f", round, w, j, off);
         }
     }
+    if (last > 0) judge_quotient(q, &sums, round);
     const int whole = algsurf_i_whole_width(&q->p.p, &q->at);
     if (whole < 4 * LIMBS - 8) {
         double size;
@@ -236,7 +275,7 @@ TEST(within_what_is_lost) {
     }
     for (int k = 0; k <= MOST; k++) number_clear(q.c + k);
     number_clear(&q.z);
-    assert_true(worst > -8 && exact_count > 1000); /* the bound is felt */
+    assert_true(worst > -8 && exact_count > 1000 && quotients > 1000); /* the bound is felt */
 }
 
 int main(void) {
