@@ -35,7 +35,7 @@ static algsurf_surface *surface_of(const catalogue_entry *entry) {
 
 /* ---- pictures ---- */
 
-enum { PLAIN, WIDE, ANTIALIAS, FULL, COMPLEX };
+enum { PLAIN, WIDE, SMALL, ANTIALIAS, FULL, COMPLEX };
 
 static double time_picture(const char *name, int kind) {
     const catalogue_entry *entry = entry_of(name);
@@ -56,6 +56,7 @@ static double time_picture(const char *name, int kind) {
     uint8_t *bytes = must_allocate(3 * pixels, 1);
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes};
     rays_camera(&entry->extent, &camera);
+    if (kind == SMALL) camera.half_height *= 2.5;
     must_answer(algsurf_scene_create(surface, &scene), name);
     must_answer(algsurf_scene_set_extent(scene, &entry->extent), name);
     must_answer(algsurf_scene_set_camera(scene, &camera), name);
@@ -270,15 +271,25 @@ static const struct task_kind {
     const char *name;
     double (*time)(const char *what, int kind);
     int kind;
-} kinds[] = {{"picture", time_picture, PLAIN},       {"wide", time_picture, WIDE},
-             {"antialias", time_picture, ANTIALIAS}, {"full", time_picture, FULL},
-             {"complex", time_picture, COMPLEX},     {"ray", time_rays, SINGLE},
-             {"packet", time_rays, PACKET},          {"squared", time_rays, SQUARED},
-             {"endless", time_rays, ENDLESS},        {"endless-packet", time_rays, ENDLESS_PACKET},
-             {"first", time_polynomials, FIRST},     {"line-batch", time_polynomials, BATCH},
-             {"roots", time_polynomials, ROOTS},     {"line", time_polynomials, LINE},
-             {"number", time_polynomials, NUMBER},   {"isolate", time_polynomials, ISOLATE},
-             {"boxes", time_polynomials, BOXES},     {"cluster", time_cluster, 0}};
+} kinds[] = {{"picture", time_picture, PLAIN},
+             {"wide", time_picture, WIDE},
+             {"small", time_picture, SMALL},
+             {"antialias", time_picture, ANTIALIAS},
+             {"full", time_picture, FULL},
+             {"complex", time_picture, COMPLEX},
+             {"ray", time_rays, SINGLE},
+             {"packet", time_rays, PACKET},
+             {"squared", time_rays, SQUARED},
+             {"endless", time_rays, ENDLESS},
+             {"endless-packet", time_rays, ENDLESS_PACKET},
+             {"first", time_polynomials, FIRST},
+             {"line-batch", time_polynomials, BATCH},
+             {"roots", time_polynomials, ROOTS},
+             {"line", time_polynomials, LINE},
+             {"number", time_polynomials, NUMBER},
+             {"isolate", time_polynomials, ISOLATE},
+             {"boxes", time_polynomials, BOXES},
+             {"cluster", time_cluster, 0}};
 
 static void run(const char *task) {
     const char *slash = strchr(task, '/');
