@@ -23,7 +23,8 @@ typedef struct algsurf_complex_root {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex root;  /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: real, box.im is [0,0]; 0: not real, or not known: radii, clusters */
+    int real;              /* 1: all of them are real, box.im is [0,0]; 0: not real, or not known: radii,
+                              clusters */
 } algsurf_complex_root;
 
 /* All roots of sum c_k z^k.
@@ -31,12 +32,12 @@ typedef struct algsurf_complex_root {
  *   roots   room for `degree` entries, at least 1: no capacity is handed over
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * If the lowest coefficients are exactly 0, the root 0 is exact.  Without radii (null, or all 0) each
- * different root has a box of its own, with its exact multiplicity, unless doubles cannot separate it from
- * another.  A box is at most two units in the last place of its larger part wide.  Real roots are proved
- * real, with radii those of real polynomials; other roots of real polynomials are in exactly conjugate boxes.
- * With radii, roots that cannot be separated share a box.  Entries are in increasing order of root.re, then
- * of root.im.
+ * If the lowest coefficients are exactly 0, the root 0 is exact, or shares a box with roots that doubles
+ * cannot separate from it.  Without radii (null, or all 0) each different root has a box of its own, with
+ * its exact multiplicity, unless doubles cannot separate it from another.  A box is at most two units in the
+ * last place of its larger part wide.  Real roots are proved real, with radii those of real polynomials;
+ * other roots of real polynomials are in exactly conjugate boxes. With radii, roots that cannot be separated
+ * share a box.  Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
  * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
