@@ -2,6 +2,7 @@
  * PACKETS_OF_TWO, of 16 floats if SINGLE; nothing on other processors, and with
  * ALGSURF_NO_AVX512.  The includer ends with end.h. */
 #if defined(__x86_64__) && !defined(ALGSURF_NO_AVX512)
+#include "unrolled.h"
 #include "moves.h"
 
 #if defined(PACKETS_OF_TWO)
