@@ -1,17 +1,15 @@
 /* accuracy.c - what accuracy costs: method, tolerance and tier, single rays and packets: accuracy --help.
  *
  * Every setting answers the same rays of a surface's view, and is judged by roots that are proved to far more
- * digits than double has (accuracy_truth.h).  All settings of all surfaces are judged before any is timed,
+ * digits than double has (accuracy_truth.c).  All settings of all surfaces are judged before any is timed,
  * and one that contradicts what it promises ends the program without a table.  Then they take turns, so that
  * what else runs on the machine hits them alike.  Whole pictures of each tier follow, small and large, from
- * near and from afar (accuracy_pictures.h).
+ * near and from afar (accuracy_pictures.c).
  */
 #include <stdlib.h>
 #include <string.h>
 
-#include "accuracy_pictures.h"
-#include "cli.h"
-#include "measure.h"
+#include "accuracy.h"
 #include "must.h"
 #include "results.h"
 #include "surfaces.h"
@@ -21,7 +19,6 @@
 enum { FEW_WRONG = 20 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int repeat, quick;
     surface_list surfaces;
@@ -33,7 +30,7 @@ static const cli_option options_table[] = {
     {"--surface", "NAME", "a surface of the catalogue (repeatable), default tangle, boy, barth, barth-decic",
      surfaces_set, FIELD(surfaces), 0, 0},
     {"--repeat", "N", "times taken of which the median is reported, default 3", cli_set_int, FIELD(repeat), 1,
-     MAX_REPEAT},
+     20},
     {"--output", "FOLDER", "all numbers as CSV and charts as SVG go there; made if there is none",
      cli_set_text, FIELD(output), 0, 0},
     {"--quick", NULL, "fewer rays: seconds instead of a minute", cli_set_flag, FIELD(quick), 0, 0},
@@ -47,7 +44,6 @@ static const cli_program program = {
              "time and error of each.  An answer that contradicts what its setting promises: one line\n"
              "on standard error, no table, exit status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 static const char legend[] =
@@ -96,7 +92,7 @@ static setting setting_at(const line *l, int tolerance) {
 static _Noreturn void refuse(const view *v, const setting *s, const char *what, size_t at) {
     size_t width = (size_t)v->width;
     cli_fail(CLI_BROKEN, "%s, %s, %s, %s, tolerance %g: pixel %zu,%zu of %dx%d: %s", v->entry->name,
-             way_name(s->way), method_name(s->method), tier_name(s->tier), s->tolerance, at % width,
+             way_names[s->way], method_names[s->method], tier_names[s->tier], s->tolerance, at % width,
              at / width, v->width, v->height, what);
 }
 
@@ -118,20 +114,17 @@ static void judge(const view *v, ways *w, record *r) {
 }
 
 static void clock_all(ways *w, record *r) {
-    for (line *l = r->line; l < r->line + LINES; l++) {
+    for (line *l = r->line; l < r->line + LINES; l++)
         for (int k = 0; k < TOLERANCES; k++) {
             setting s = setting_at(l, k);
-            l->seconds[k][l->taken] = ways_run(w, &s);
+            measure_take(&l->takes[k], ways_run(w, &s));
         }
-        l->taken++;
-    }
 }
 
 static void settle(ways *w, record *r) {
     for (line *l = r->line; l < r->line + LINES; l++) {
         int drawn_so = (l->setting.way == WAY_PICTURE) == (l->setting.method == ALGSURF_METHOD_DEFAULT);
         l->settled = drawn_so ? ways_settled(w, &l->setting, accuracy_tolerances, TOLERANCES) : -1;
-        for (int k = 0; k < TOLERANCES; k++) measure_sort(l->seconds[k], l->taken);
     }
 }
 
@@ -139,8 +132,7 @@ static void settle(ways *w, record *r) {
 
 static void print_head(const bench_options *o) {
     size pixels = size_of(o);
-    measure_print_lines(legend, "");
-    measure_print_machine("");
+    measure_head("", (const char *const[]){legend, NULL});
     printf("kernel: %s\nrays: of the pixels of %d rows of a picture of %dx%d, view of the "
            "catalogue\nrepeat: %d\n",
            algsurf_kernel_name(0), pixels.rows, pixels.width, pixels.height, o->repeat);
@@ -167,31 +159,22 @@ static void run_all(const bench_options *o, record *records) {
     free(w);
 }
 
-static void add_usual_surfaces(bench_options *o) {
-    static const char *const usual[] = {"tangle", "boy", "barth", "barth-decic"};
-    surfaces_add_named(&o->surfaces, usual, sizeof usual / sizeof *usual);
-}
-
 int main(int argc, char **argv) {
+    static const char *const usual[] = {"tangle", "boy", "barth", "barth-decic"};
     bench_options o = {.repeat = 3, .surfaces = {.most = SURFACES_ROOM}};
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
-    if (o.surfaces.count == 0) add_usual_surfaces(&o);
-    if (o.output) results_folder(o.output);
-    record *records = must_allocate((size_t)o.surfaces.count, sizeof *records);
-    picture_record *pictures = must_allocate((size_t)o.surfaces.count, sizeof *pictures);
+    results_begin(&program, argc, argv, &o, &o.output);
+    const int count = o.surfaces.count > 0 ? o.surfaces.count : 4;
+    if (o.surfaces.count == 0) surfaces_add_named(&o.surfaces, usual, 4);
+    record *records = must_allocate((size_t)count, sizeof *records);
+    picture_record *pictures = must_allocate((size_t)count, sizeof *pictures);
     run_all(&o, records);
-    for (int i = 0; i < o.surfaces.count; i++)
-        pictures_run(o.surfaces.entry[i], o.quick, o.repeat, &pictures[i]);
+    for (int i = 0; i < count; i++) pictures_run(o.surfaces.entry[i], o.quick, o.repeat, &pictures[i]);
     print_head(&o);
-    for (int i = 0; i < o.surfaces.count; i++) report_table(&records[i]);
-    for (int i = 0; i < o.surfaces.count; i++) pictures_table(&pictures[i]);
-    report_advice(records, o.surfaces.count);
+    for (int i = 0; i < count; i++) report_table(&records[i]);
+    pictures_report(pictures, count, o.output);
+    report_advice(records, count);
     cli_finish_output();
-    if (o.output) {
-        report_files(records, o.surfaces.count, o.output);
-        pictures_files(pictures, o.surfaces.count, o.output);
-    }
+    report_files(records, count, o.output);
     free(pictures);
     free(records);
     return 0;

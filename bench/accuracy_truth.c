@@ -1,4 +1,4 @@
-/* accuracy_truth.c - see accuracy_truth.h.
+/* accuracy_truth.c - see accuracy.h.
  *
  * The certified tier tells which rays hit, and an interval that isolates the first root.  What judges t to
  * its last digit is made here, with no more of the library than the gradient, and proved: P is evaluated
@@ -6,13 +6,13 @@
  * t - error and t + error.  That no root comes before is looked at too, though not proved: P has no certain
  * sign other than the first at a few places from the beginning of the chord to the root, or to its end.
  */
-#include "accuracy_truth.h"
+#include "accuracy.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
 #include "must.h"
+#include "rays.h"
 #include "twofold.h"
 
 enum { SAMPLES = 24, NEWTON_STEPS = 8 };
@@ -146,11 +146,9 @@ static void find_truth(view *v, const algsurf_ray *ray, const algsurf_ray *chord
 /* ---- the rays ---- */
 
 static void add_ray(view *v, int x, int y, int taken) {
-    algsurf_ray ray, chord;
-    int meets;
-    must(algsurf_camera_ray(&v->camera, v->width, v->height, x + 0.5, y + 0.5, &ray), v->entry->name);
-    must(algsurf_ray_clip(&ray, &v->entry->extent, NULL, 0, &chord, &meets), v->entry->name);
-    if (!meets) return;
+    const algsurf_ray ray = rays_ray(&v->camera, v->width, v->height, x, y);
+    algsurf_ray chord;
+    if (!rays_clip(&ray, &v->entry->extent, &chord)) return;
     v->all_rays++;
     if (!taken) return;
     v->pixel[v->count] = (size_t)y * (size_t)v->width + (size_t)x;
@@ -169,16 +167,11 @@ static int is_taken(int y, int rows, int height) {
 view *view_open(const catalogue_entry *entry, int width, int height, int rows) {
     view *v = must_allocate(1, sizeof *v);
     size_t room = (size_t)width * (size_t)rows;
-    v->entry = entry;
-    v->width = width;
-    v->height = height;
     if (entry->extent.kind != ALGSURF_EXTENT_SPHERE)
         cli_fail(CLI_BROKEN, "%s: not inside a sphere", entry->name);
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &v->surface, NULL), entry->name);
-    v->term_count = algsurf_surface_term_count(v->surface);
-    v->terms = must_allocate(v->term_count, sizeof *v->terms);
-    must(algsurf_surface_terms(v->surface, v->terms), entry->name);
-    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &v->camera), entry->name);
+    *v = (view){.entry = entry, .surface = rays_surface(entry), .width = width, .height = height};
+    v->terms = rays_terms(v->surface, &v->term_count);
+    v->camera = rays_catalogue_camera(entry);
     v->pixel = must_allocate(room, sizeof *v->pixel);
     v->ray = must_allocate(room, sizeof *v->ray);
     v->chord = must_allocate(room, sizeof *v->chord);

@@ -2,25 +2,28 @@
  *
  * Rays that doubles decide, and rays that they cannot: which begin at the root, meet roots closer than any
  * double separates, touch the surface, lie in it, or end on it.  Their answers are known from how the rays
- * were made (decided_cases.h), and are checked before any time is told: state, number and multiplicities of
+ * were made (decided_cases.c), and are checked before any time is told: state, number and multiplicities of
  * the roots, and that the first one's interval holds at most two neighbouring doubles where integers decided.
  */
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
-#include "decided_beside.h"
-#include "decided_report.h"
+#include "decided.h"
 #include "must.h"
 #include "results.h"
 
 enum { MOST_RAYS = 10000, NAMED = 2 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
-    const char *output, *beside;
+    const char *output;
+    const beside_edition *beside; /* null: none */
     int rays, seed, quick;
 } bench_options;
+
+static void set_beside(const cli_option *option, const char *value, void *field) {
+    (void)option;
+    *(const beside_edition **)field = beside_load(value);
+}
 
 #define FIELD(member) offsetof(bench_options, member)
 
@@ -33,7 +36,7 @@ static const cli_option options_table[] = {
     {"--beside", "FILE",
      "another edition of the library, asked the same in turn; the script bench/beside\n"
      "makes the file, and calls this program",
-     cli_set_text, FIELD(beside), 0, 0},
+     set_beside, FIELD(beside), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -43,16 +46,14 @@ static const cli_program program = {
              "by degree of the surface; checks the answers, then prints how long they took.  A wrong\n"
              "answer: one line on standard error, no table, exit status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 static const char legend[] =
     "What it costs to decide a ray, certified tier, one ray at a time.\n"
     "  surface  random: all coefficients, whole numbers; else a named one\n"
     "  kind     clear: one simple root; end: the ray begins at the double before it; gap: two roots 2^-20,\n"
-    "           2^-60, 2^-200 apart; tangent: the ray touches; double: a double root; inside: the ray lies "
-    "in\n"
-    "           the surface; own-ball: the surface is that of the extent\n"
+    "           2^-60, 2^-200 apart; tangent: the ray touches; double: a double root; inside: the ray\n"
+    "           lies in the surface; own-ball: the surface is that of the extent\n"
     "  open%    share of the rays that doubles leave to integers\n"
     "  us50%    CPU time of a ray, microseconds, median of the rays; 10%, 90%: their spread\n"
     "  lanes    of a clear ray, by doubles alone; -: they do not decide it\n"
@@ -60,8 +61,7 @@ static const char legend[] =
 
 static const char legend_beside[] =
     "  beside   us50% of the other edition, certified tier, asked in turn with this one\n"
-    "  ratio    its time of a ray in units of this edition's, median of the rays; above 1: this one is "
-    "faster\n"
+    "  ratio    its time of a ray in units of this edition's, median; above 1: this one is faster\n"
     "  undec%   share of the rays that the other edition does not decide\n"
     "  wrong%   share that it answers wrongly: no hit, or one elsewhere\n";
 
@@ -149,7 +149,6 @@ static double median_ratio(const double *us, const double *by, size_t count) {
     if (!us || !by) return NAN;
     double *ratio = must_allocate(count, sizeof(double));
     for (size_t i = 0; i < count; i++) ratio[i] = us[i] / by[i];
-    measure_sort(ratio, count);
     double median = measure_quantile(ratio, count, 0.5);
     free(ratio);
     return median;
@@ -169,8 +168,6 @@ static finding examine(const example *e, const beside_edition *other) {
         if (asked[k]) us[k] = must_allocate(e->count, sizeof(double));
     take_times(&w, us);
     f.ratio = median_ratio(us[OTHER], us[CERTIFIED], e->count);
-    for (int k = 0; k < WAYS; k++)
-        if (asked[k]) measure_sort(us[k], e->count);
     f.us = measure_quantile(us[CERTIFIED], e->count, 0.5);
     f.us_low = measure_quantile(us[CERTIFIED], e->count, 0.1);
     f.us_high = measure_quantile(us[CERTIFIED], e->count, 0.9);
@@ -186,55 +183,35 @@ static finding examine(const example *e, const beside_edition *other) {
 static const int degrees[] = {2, 4, 6, 8, 10, 16, 20, 32};
 enum { DEGREES = sizeof degrees / sizeof *degrees, MOST_FINDINGS = DEGREES * KINDS + 2 * NAMED };
 
-static size_t run_random(const bench_options *o, const beside_edition *other, finding *f) {
-    size_t count = 0;
-    for (int d = 0; d < DEGREES; d++)
-        for (int which = 0; which < KINDS; which++, count++) {
-            example e;
-            example_random(&e, degrees[d], (kind)which, (size_t)o->rays, o->seed);
-            f[count] = examine(&e, other);
-            if (which != KIND_CLEAR) f[count].lanes = f[count - (size_t)which].lanes;
-            example_free(&e);
-        }
-    return count;
-}
-
-static size_t run_named(const bench_options *o, const beside_edition *other, finding *f) {
-    static const char *const names[NAMED] = {"barth", "barth-decic"};
-    size_t count = 0;
-    for (int s = 0; s < NAMED; s++)
-        for (int which = KIND_CLEAR; which <= KIND_END; which++, count++) {
-            example e;
-            example_named(&e, names[s], (kind)which, (size_t)o->rays, o->seed);
-            f[count] = examine(&e, other);
-            if (which != KIND_CLEAR) f[count].lanes = f[count - 1].lanes;
-            example_free(&e);
-        }
-    return count;
-}
-
-static void print_head(const bench_options *o, const beside_edition *other) {
-    measure_print_lines(legend, "");
-    if (other) measure_print_lines(legend_beside, "");
-    measure_print_machine("");
-    printf("kernel: %s\nrays: %d of a surface\nseed: %d\n", algsurf_kernel_name(0), o->rays, o->seed);
-    if (other) printf("beside: %s\n", other->name);
+/* The findings of a surface, kinds from the clear ray on; returns how many. */
+static int run(const bench_options *o, const char *name, int degree, finding *f) {
+    const int kinds = name ? KIND_END + 1 : KINDS;
+    for (int which = KIND_CLEAR; which < kinds; which++) {
+        example e;
+        if (name)
+            example_named(&e, name, (kind)which, (size_t)o->rays, o->seed);
+        else
+            example_random(&e, degree, (kind)which, (size_t)o->rays, o->seed);
+        f[which] = examine(&e, o->beside);
+        f[which].lanes = f[KIND_CLEAR].lanes;
+        example_free(&e);
+    }
+    return kinds;
 }
 
 int main(int argc, char **argv) {
+    static const char *const names[NAMED] = {"barth", "barth-decic"};
     bench_options o = {.seed = 1};
     finding f[MOST_FINDINGS];
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    int count = 0;
+    results_begin(&program, argc, argv, &o, &o.output);
     if (o.rays == 0) o.rays = o.quick ? 8 : 64;
-    const beside_edition *other = o.beside ? beside_load(o.beside) : NULL;
-    if (o.output) results_folder(o.output); /* before the work */
-    const char *name = other ? other->name : NULL;
-    size_t count = run_random(&o, other, f);
-    count += run_named(&o, other, f + count);
-    if (o.output) report_files(f, count, name, o.output);
-    print_head(&o, other);
-    report_table(f, count, name);
+    for (int d = 0; d < DEGREES; d++) count += run(&o, NULL, degrees[d], f + count);
+    for (int s = 0; s < NAMED; s++) count += run(&o, names[s], 0, f + count);
+    measure_head("", (const char *const[]){legend, o.beside ? legend_beside : NULL, NULL});
+    printf("kernel: %s\nrays: %d of a surface\nseed: %d\n", algsurf_kernel_name(0), o.rays, o.seed);
+    if (o.beside) printf("beside: %s\n", o.beside->name);
+    report(f, (size_t)count, o.beside ? o.beside->name : NULL, o.output);
     cli_finish_output();
     return 0;
 }

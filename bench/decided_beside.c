@@ -1,11 +1,12 @@
-/* decided_beside.c - see decided_beside.h. */
-#include "decided_beside.h"
+/* decided_beside.c - see decided.h. */
+#include "decided.h"
 
 #include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
+#include "must.h"
+#include "rays.h"
 
 const beside_edition *beside_load(const char *file) {
     void *object = dlopen(file, RTLD_NOW | RTLD_LOCAL);
@@ -18,10 +19,9 @@ const beside_edition *beside_load(const char *file) {
 }
 
 algsurf_surface *beside_surface(const beside_edition *other, const example *e) {
-    size_t count = algsurf_surface_term_count(e->equation);
-    algsurf_term *terms = calloc(count, sizeof *terms);
+    size_t count;
+    algsurf_term *terms = rays_terms(e->equation, &count);
     algsurf_surface *surface;
-    if (!terms || algsurf_surface_terms(e->equation, terms) != ALGSURF_OK) cli_no_memory();
     if (other->surface_from_terms(terms, count, &surface) != ALGSURF_OK)
         cli_fail(CLI_BROKEN, "the other edition refuses the %s surface of degree %d", e->surface, e->degree);
     free(terms);

@@ -1,4 +1,4 @@
-/* decided_cases.c - see decided_cases.h.
+/* decided_cases.c - see decided.h.
  *
  * All random surfaces of degree n are made of
  *     L  a linear form with small whole coefficients, zero at the origin,
@@ -18,15 +18,14 @@
  * along the ray as far as the extent goes (|L / L'| <= 2 / |d| there), and the gap has no more than its two
  * roots.
  */
-#include "decided_cases.h"
+#include "decided.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "catalogue.h"
-#include "cli.h"
 #include "must.h"
+#include "rays.h"
 
 const char *const kind_names[KINDS] = {"clear",   "end",    "gap-20", "gap-60",  "gap-200",
                                        "tangent", "double", "inside", "own-ball"};
@@ -118,74 +117,34 @@ static dense linear(double x, double y, double z) {
     return l;
 }
 
-/* L^2 H - C 2^(10 - 2 gap): L is of size 32 or so beside a point of the unit ball. */
-static dense make_gap(const dense *l, int degree, measure_random *random, int gap) {
-    dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h),
-          p = product(l, &lh);
-    *entry(&p, 0, 0, 0) = -ldexp(*entry(&h, 0, 0, 0), 8 - 2 * gap);
-    free(h.a);
-    free(lh.a);
-    return p;
-}
-
-/* (x - y) K, plus L^2 H for a tangent. */
-static dense make_in_plane(const dense *l, int degree, measure_random *random, int touches) {
-    dense plane = linear(1, -1, 0), k = make(degree - 1), p;
-    (void)fill(&k, random, 20, 0);
-    p = product(&plane, &k);
-    if (touches) {
-        dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h);
-        add_product(&p, l, &lh);
-        free(h.a);
-        free(lh.a);
-    }
-    free(k.a);
-    free(plane.a);
-    return p;
-}
-
-static dense make_double(const dense *l, int degree, measure_random *random) {
-    dense h = make_positive(degree - 2, random, bits_for(degree - 2), 0), lh = product(l, &h),
-          p = product(l, &lh);
-    free(h.a);
-    free(lh.a);
-    return p;
-}
-
-static dense make_ball(int degree, measure_random *random) {
-    dense ball = make(2), h = make_positive(degree - 2, random, bits_for(degree - 2), 1), p;
-    *entry(&ball, 2, 0, 0) = *entry(&ball, 0, 2, 0) = *entry(&ball, 0, 0, 2) = 1;
-    *entry(&ball, 0, 0, 0) = -9;
-    p = product(&ball, &h);
-    free(ball.a);
-    free(h.a);
-    return p;
-}
-
-static dense make_clear(const dense *l, int degree, measure_random *random) {
-    dense h = make_positive(degree - 1, random, bits_for(degree - 1), 0), p = product(l, &h);
-    free(h.a);
-    return p;
+/* x^2 + y^2 + z^2 - 9 */
+static dense sphere(void) {
+    dense s = make(2);
+    *entry(&s, 2, 0, 0) = *entry(&s, 0, 2, 0) = *entry(&s, 0, 0, 2) = 1;
+    *entry(&s, 0, 0, 0) = -9;
+    return s;
 }
 
 static dense make_surface(const dense *l, int degree, kind which, measure_random *random) {
-    switch (which) {
-    case KIND_GAP_20:
-        return make_gap(l, degree, random, 20);
-    case KIND_GAP_60:
-        return make_gap(l, degree, random, 60);
-    case KIND_GAP_200:
-        return make_gap(l, degree, random, 200);
-    case KIND_TANGENT:
-    case KIND_INSIDE:
-        return make_in_plane(l, degree, random, which == KIND_TANGENT);
-    case KIND_DOUBLE:
-        return make_double(l, degree, random);
-    case KIND_BALL:
-        return make_ball(degree, random);
-    default:
-        return make_clear(l, degree, random);
+    static const int gaps[KINDS] = {[KIND_GAP_20] = 20, [KIND_GAP_60] = 60, [KIND_GAP_200] = 200};
+    const int ball = which == KIND_BALL, clear = which <= KIND_END, rest = degree - (clear ? 1 : 2);
+    dense p = make(degree), k = make(degree - 1), plane = linear(1, -1, 0);
+    dense square = ball ? sphere() : product(l, l);
+    if (which == KIND_TANGENT || which == KIND_INSIDE) {
+        (void)fill(&k, random, 20, 0);
+        add_product(&p, &plane, &k);
     }
+    if (which != KIND_INSIDE) {
+        dense h = make_positive(rest, random, bits_for(rest), ball);
+        add_product(&p, clear ? l : &square, &h);
+        if (gaps[which]) /* L is of size 32 or so beside a point of the unit ball */
+            *entry(&p, 0, 0, 0) = -ldexp(*entry(&h, 0, 0, 0), 8 - 2 * gaps[which]);
+        free(h.a);
+    }
+    free(k.a);
+    free(plane.a);
+    free(square.a);
+    return p;
 }
 
 static algsurf_surface *surface_of(const dense *p) {
@@ -235,9 +194,8 @@ static algsurf_ray random_ray(const dense *l, measure_random *random) {
 /* Where the ray enters the extent, about. */
 static double entry_of(const example *e, const algsurf_ray *ray) {
     algsurf_ray chord;
-    int meets;
-    must(algsurf_ray_clip(ray, &e->extent, NULL, 0, &chord, &meets), "a ray is refused");
-    if (!meets) cli_fail(CLI_BROKEN, "%s: a ray beside the extent", kind_names[e->kind]);
+    if (!rays_clip(ray, &e->extent, &chord))
+        cli_fail(CLI_BROKEN, "%s: a ray beside the extent", kind_names[e->kind]);
     return chord.t_min;
 }
 
@@ -317,14 +275,12 @@ void example_named(example *e, const char *name, kind which, size_t count, int s
     enum { WIDTH = 1024, HEIGHT = 768 };
     const catalogue_entry *entry = catalogue_find(name);
     measure_random random = {((uint64_t)seed << 32) + 1 + (uint64_t)which};
-    algsurf_camera camera;
+    const algsurf_camera camera = rays_catalogue_camera(entry);
     *e = (example){.surface = name, .degree = entry->degree, .kind = which, .extent = entry->extent};
     e->multiplicity = 1;
     e->least = 1;
     e->most = e->degree;
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &e->equation, NULL), "a ray is refused");
-    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-         "a ray is refused");
+    e->equation = rays_surface(entry);
     take_rays(e, count);
     for (size_t i = 0; i < count;) {
         double x = measure_uniform(&random, 0, WIDTH), y = measure_uniform(&random, 0, HEIGHT);

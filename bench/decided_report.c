@@ -1,59 +1,24 @@
-/* decided_report.c - see decided_report.h. */
-#include "decided_report.h"
-
-#include <math.h>
+/* decided_report.c - see decided.h: what is told. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "results.h"
+#include "chart.h"
+#include "decided.h"
+#include "sheet.h"
 
-enum { CELL = 16 };
+static double percent(size_t some, const finding *r) { return 100 * (double)some / (double)r->rays; }
 
-/* Three digits; what there is none of is a dash. */
-static const char *digits(double x, char text[CELL]) {
-    if (isnan(x))
-        snprintf(text, CELL, "-");
-    else
-        snprintf(text, CELL, "%.3g", x);
-    return text;
-}
-
-static double share(size_t some, const finding *r) { return 100 * (double)some / (double)r->rays; }
-
-void report_table(const finding *f, size_t count, const char *beside) {
-    char us[CELL], low[CELL], high[CELL], lanes[CELL], times[CELL];
-    printf("\n%-12s %6s  %-9s %6s %6s %9s %9s %9s %9s %9s", "surface", "degree", "kind", "rays", "open%",
-           "us50%", "10%", "90%", "lanes", "times");
-    if (beside) printf(" %9s %9s %6s %6s", "beside", "ratio", "undec%", "wrong%");
-    printf("\n");
-    for (const finding *r = f; r < f + count; r++) {
-        printf("%-12s %6d  %-9s %6zu %6.0f %9s %9s %9s %9s %9s", r->surface, r->degree, kind_names[r->kind],
-               r->rays, share(r->open, r), digits(r->us, us), digits(r->us_low, low),
-               digits(r->us_high, high), digits(r->lanes, lanes), digits(r->us / r->lanes, times));
-        if (beside)
-            printf(" %9s %9s %6.0f %6.0f", digits(r->beside, us), digits(r->ratio, times),
-                   share(r->undecided, r), share(r->wrong, r));
-        printf("\n");
-    }
-}
-
-static void write_csv(const finding *f, size_t count, const char *folder) {
-    static const char name[] = "decided.csv";
-    char lanes[CELL], times[CELL], other[CELL], ratio[CELL];
-    FILE *file = results_create(folder, name);
-    fprintf(file, "surface,degree,kind,rays,open,us_median,us_low,us_high,lanes_us,times,"
-                  "beside_us,ratio,beside_undecided,beside_wrong\n");
-    for (const finding *r = f; r < f + count; r++)
-        fprintf(file, "%s,%d,%s,%zu,%zu,%.4g,%.4g,%.4g,%s,%s,%s,%s,%zu,%zu\n", r->surface, r->degree,
-                kind_names[r->kind], r->rays, r->open, r->us, r->us_low, r->us_high, digits(r->lanes, lanes),
-                digits(r->us / r->lanes, times), digits(r->beside, other), digits(r->ratio, ratio),
-                r->undecided, r->wrong);
-    results_finish(file, folder, name);
+static void add_row(sheet *s, const finding *r) {
+    sheet_add(s, "%s\t%d\t%s\t%zu\t%.0f\t%zu\t%.4g\t%.4g\t%.4g\t%.3g\t%.3g\t%.3g\t%.3g\t%.0f\t%zu\t%.0f\t%zu",
+              r->surface, r->degree, kind_names[r->kind], r->rays, percent(r->open, r), r->open, r->us,
+              r->us_low, r->us_high, r->lanes, r->us / r->lanes, r->beside, r->ratio,
+              percent(r->undecided, r), r->undecided, percent(r->wrong, r), r->wrong);
 }
 
 /* ---- charts ---- */
 
-enum { MOST_DEGREES = 16, GROUPS = 2, IN_GROUP = 5, PANELS = 2 * GROUPS + 1 };
+enum { GROUPS = 2, IN_GROUP = 5, PANELS = 2 * GROUPS + 1 };
 
 static const struct {
     const char *what;
@@ -63,58 +28,37 @@ static const struct {
                     {"a ray that touches, or in the surface",
                      {KIND_CLEAR, KIND_TANGENT, KIND_DOUBLE, KIND_INSIDE, KIND_BALL}}};
 
-static double us(const finding *r) { return r->us; }
-static double ratio(const finding *r) { return r->ratio; }
-static double one(const finding *r) { return r->us / r->us; }
-
-typedef struct curve {
-    double x[MOST_DEGREES], y[MOST_DEGREES];
-} curve;
-
-/* Of the random surfaces of one kind: a value by degree. */
-static plot_series series_of(const char *name, plot_mark mark, double (*value)(const finding *r), kind which,
-                             const finding *f, size_t count, curve *c) {
-    plot_series s = {name, mark, c->x, c->y, 0};
-    for (const finding *r = f; r < f + count && s.count < MOST_DEGREES; r++) {
-        if (r->kind != which || strcmp(r->surface, "random") != 0) continue;
-        c->x[s.count] = r->degree;
-        c->y[s.count++] = value(r);
-    }
-    return s;
+static int is_random(const finding *r, kind which) {
+    return r->kind == which && strcmp(r->surface, "random") == 0;
 }
 
-/* What a plot points to. */
-typedef struct panel {
-    curve curves[IN_GROUP + 1];
-    plot_series series[IN_GROUP + 1]; /* the last one is a guide */
-    const char *names[KINDS + 1];
-    char title[128];
-} panel;
-
-/* Times of a group of rays; with another edition's name, that edition's in units of this one's. */
-static plot make_times(int group, const char *beside, const finding *f, size_t count, panel *p) {
+/* Times of a group of rays, by degree; with another edition's name, that edition's in units of this one's,
+ * and a guide where these are the same. */
+static void draw_times(chart *c, int group, const char *other, const finding *f, size_t count) {
+    const char *y = other ? "in units of this edition's time" : "microseconds a ray";
+    c->plot.x.label = "degree of the surface";
+    c->plot.y = (plot_axis){.label = y, .scale = PLOT_LOG};
+    c->plot.height = 400;
+    snprintf(c->title, sizeof c->title, other ? "What it costs %.40s: %s" : "What it costs to decide%.0s %s",
+             other ? other : "", groups[group].what);
     for (int k = 0; k < IN_GROUP; k++) {
-        kind which = groups[group].kinds[k];
-        p->series[k] =
-            series_of(kind_names[which], PLOT_BOTH, beside ? ratio : us, which, f, count, &p->curves[k]);
+        const kind which = groups[group].kinds[k];
+        chart_series(c, kind_names[which], PLOT_BOTH);
+        for (const finding *r = f; r < f + count; r++)
+            if (is_random(r, which)) chart_point(c, r->degree, other ? r->ratio : r->us);
     }
-    p->series[IN_GROUP] = series_of(NULL, PLOT_LINE, one, KIND_CLEAR, f, count, &p->curves[IN_GROUP]);
-    if (beside)
-        snprintf(p->title, sizeof p->title, "What it costs %.40s: %s", beside, groups[group].what);
-    else
-        snprintf(p->title, sizeof p->title, "What it costs to decide %s", groups[group].what);
-    return (plot){
-        .title = p->title,
-        .x = {.label = "degree of the surface"},
-        .y = {.label = beside ? "in units of this edition's time" : "microseconds a ray", .scale = PLOT_LOG},
-        .series = p->series,
-        .count = beside ? IN_GROUP + 1 : IN_GROUP,
-        .height = 400};
+    if (!other) return;
+    chart_series(c, NULL, PLOT_LINE);
+    for (const finding *r = f; r < f + count; r++)
+        if (is_random(r, KIND_CLEAR)) chart_point(c, r->degree, 1);
 }
 
 /* What another edition does not answer, by kind. */
-static plot make_unanswered(const char *beside, const finding *f, size_t count, panel *p) {
-    double *undecided = p->curves[0].y, *wrong = p->curves[1].y;
+static void draw_unanswered(chart *c, const char *other, const finding *f, size_t count) {
+    snprintf(c->title, sizeof c->title, "Rays that %.40s leaves undecided, or answers wrongly", other);
+    c->plot.x.label = "kind of ray";
+    c->plot.y = (plot_axis){.label = "% of the rays", .lo = 0, .hi = 100};
+    c->plot.height = 300;
     for (int k = 0; k < KINDS; k++) {
         finding sum = {.rays = 0};
         for (const finding *r = f; r < f + count; r++) {
@@ -123,36 +67,42 @@ static plot make_unanswered(const char *beside, const finding *f, size_t count, 
             sum.undecided += r->undecided;
             sum.wrong += r->wrong;
         }
-        p->curves[0].x[k] = p->curves[1].x[k] = k;
-        undecided[k] = share(sum.undecided, &sum);
-        wrong[k] = share(sum.wrong, &sum);
-        p->names[k] = kind_names[k];
+        chart_series(c, "undecided", PLOT_BARS);
+        chart_bar(c, kind_names[k], percent(sum.undecided, &sum));
+        chart_series(c, "wrong", PLOT_BARS);
+        chart_bar(c, kind_names[k], percent(sum.wrong, &sum));
     }
-    p->names[KINDS] = NULL;
-    p->series[0] = (plot_series){"undecided", PLOT_BARS, p->curves[0].x, undecided, KINDS};
-    p->series[1] = (plot_series){"wrong", PLOT_BARS, p->curves[1].x, wrong, KINDS};
-    snprintf(p->title, sizeof p->title, "Rays that %.40s leaves undecided, or answers wrongly", beside);
-    return (plot){.title = p->title,
-                  .x = {.label = "kind of ray", .names = p->names},
-                  .y = {.label = "% of the rays", .lo = 0, .hi = 100},
-                  .series = p->series,
-                  .count = 2,
-                  .height = 300};
 }
 
-static void write_charts(const finding *f, size_t count, const char *beside, const char *folder) {
-    panel panels[PANELS];
-    plot plots[PANELS];
+void report(const finding *f, size_t count, const char *other, const char *folder) {
+    const sheet_column columns[] = {{"surface", -12, NULL},
+                                    {"degree", 6, NULL},
+                                    {"kind", -9, NULL},
+                                    {"rays", 6, NULL},
+                                    {"open%", 6, ""},
+                                    {"", 0, "open"},
+                                    {"us50%", 9, "us_median"},
+                                    {"10%", 9, "us_low"},
+                                    {"90%", 9, "us_high"},
+                                    {"lanes", 9, "lanes_us"},
+                                    {"times", 9, NULL},
+                                    {other ? "beside" : "", 9, "beside_us"},
+                                    {other ? "ratio" : "", 9, "ratio"},
+                                    {other ? "undec%" : "", 6, ""},
+                                    {"", 0, "beside_undecided"},
+                                    {other ? "wrong%" : "", 6, ""},
+                                    {"", 0, "beside_wrong"}};
+    sheet table = SHEET(columns);
+    chart charts[PANELS] = {
+        {.plot.subtitle = "dense random surfaces, certified tier, one ray at a time, median"}};
+    for (const finding *r = f; r < f + count; r++) add_row(&table, r);
     for (int group = 0; group < GROUPS; group++) {
-        plots[group] = make_times(group, NULL, f, count, &panels[group]);
-        if (beside) plots[GROUPS + group] = make_times(group, beside, f, count, &panels[GROUPS + group]);
+        draw_times(&charts[group], group, NULL, f, count);
+        if (other) draw_times(&charts[GROUPS + group], group, other, f, count);
     }
-    if (beside) plots[PANELS - 1] = make_unanswered(beside, f, count, &panels[PANELS - 1]);
-    plots[0].subtitle = "dense random surfaces, certified tier, one ray at a time, median";
-    results_plot(plots, beside ? PANELS : GROUPS, folder, "decided.svg");
-}
-
-void report_files(const finding *f, size_t count, const char *beside, const char *folder) {
-    write_csv(f, count, folder);
-    write_charts(f, count, beside, folder);
+    if (other) draw_unanswered(&charts[PANELS - 1], other, f, count);
+    sheet_print(&table, 0);
+    sheet_write(&table, folder, "decided.csv");
+    chart_write(charts, other ? PANELS : GROUPS, folder, "decided.svg");
+    free(table.rows);
 }

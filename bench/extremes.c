@@ -3,21 +3,19 @@
  * Eight sweeps, each towards an edge: a far eye, large and small surfaces, roots close together, high
  * degrees, singular points, extents, coefficients of different size, vanishing leading coefficients.  At
  * every step rays are asked for their first hit in each tier, and as a packet; the answers are judged
- * (extremes_truth.h) before anything is timed.  A wrong one ends the program without a table.
+ * (extremes_truth.c) before anything is timed.  A wrong one ends the program without a table.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "extremes_report.h"
+#include "extremes.h"
 #include "must.h"
 #include "results.h"
 
 enum { REPEAT = 3, MOST_VARIANTS = 6, MOST_RAYS = 10000 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     const sweep *only; /* null: all sweeps */
     int rays, seed, quick;
@@ -51,7 +49,6 @@ static const cli_program program = {
              "prints how many were undecided, how far off, and how long they took.  A wrong\n"
              "answer: one line on standard error, no table, exit status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 static const char legend[] =
@@ -60,13 +57,12 @@ static const char legend[] =
     "              scene as one packet (they have nothing in common)\n"
     "  rays, hits  asked; those that hit\n"
     "  undecided%  share of the rays that the tier leaves open\n"
-    "  error50%    of t, median; max: the largest.  Unit: u kappa |t|, u = 2^-53, kappa = 1 + S / |t "
-    "P'(t)|,\n"
-    "              S = sum of |a x^i y^j z^k|: what rounding coefficients and t may do\n"
+    "  error50%    of t, median; max: the largest.  Unit: u kappa |t|, u = 2^-53,\n"
+    "              kappa = 1 + S / |t P'(t)|, S = sum of |a x^i y^j z^k|: what rounding coefficients and t "
+    "may do\n"
     "  ns50%       CPU time of a ray, median of the repetitions; min, max: their spread\n"
-    "The truth is known from how a ray was made, or what the certified tier proves, with its root polished "
-    "in\n"
-    "double-double.\n";
+    "The truth is known from how a ray was made, or what the certified tier proves, with its root\n"
+    "polished in double-double.\n";
 
 /* ---- one scene, in all manners ---- */
 
@@ -130,7 +126,7 @@ static void judge_all(const work *w, const truth *known, tally *t) {
 
 static void run_scene(work *w, tally tallies[MANNERS]) {
     const bench_options *o = w->options;
-    if (!scene_make(w->sweep, w->point, w->variant, (size_t)o->rays, o->seed, &w->scene)) cli_no_memory();
+    scene_make(w->sweep, w->point, w->variant, (size_t)o->rays, o->seed, &w->scene);
     truth *known = find_truths(w);
     for (int m = 0; m < MANNERS; m++) {
         w->manner = (manner)m;
@@ -148,18 +144,16 @@ static void run_scene(work *w, tally tallies[MANNERS]) {
 
 /* ---- a sweep ---- */
 
-static finding find(tally *t) {
-    finding f = {t->rays, t->hits, t->undecided, NAN, NAN, 0, 0, 0};
-    double unit = 1e9 / (double)t->rays;
-    measure_sort(t->seconds, REPEAT);
-    f.ns = unit * measure_quantile(t->seconds, REPEAT, 0.5);
-    f.ns_min = unit * t->seconds[0];
-    f.ns_max = unit * t->seconds[REPEAT - 1];
-    if (t->errors == 0) return f;
-    measure_sort(t->error, t->errors);
-    f.error_median = measure_quantile(t->error, t->errors, 0.5);
-    f.error_max = t->error[t->errors - 1];
-    return f;
+static finding find(const tally *t) {
+    const double unit = 1e9 / (double)t->rays;
+    return (finding){t->rays,
+                     t->hits,
+                     t->undecided,
+                     measure_quantile(t->error, t->errors, 0.5),
+                     measure_quantile(t->error, t->errors, 1),
+                     unit * measure_quantile(t->seconds, REPEAT, 0.5),
+                     unit * measure_quantile(t->seconds, REPEAT, 0),
+                     unit * measure_quantile(t->seconds, REPEAT, 1)};
 }
 
 static void run_sweep(const bench_options *o, const sweep *which, record *r) {
@@ -181,27 +175,17 @@ static void run_sweep(const bench_options *o, const sweep *which, record *r) {
 
 /* ---- the run ---- */
 
-static void print_head(const bench_options *o) {
-    measure_print_lines(legend, "");
-    measure_print_machine("");
-    printf("kernel: %s\nrays: %d of a scene\nseed: %d\n", algsurf_kernel_name(0), o->rays, o->seed);
-}
-
 int main(int argc, char **argv) {
     bench_options o = {.seed = 1};
     record records[SWEEPS];
     size_t count = 0;
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    results_begin(&program, argc, argv, &o, &o.output);
     if (o.rays == 0) o.rays = o.quick ? 12 : 64;
     for (const sweep *s = sweeps; s < sweeps + SWEEPS; s++)
         if (!o.only || s == o.only) run_sweep(&o, s, &records[count++]);
-    if (o.output) {
-        results_folder(o.output);
-        report_files(records, count, o.output);
-    }
-    print_head(&o);
-    for (size_t i = 0; i < count; i++) report_table(&records[i]);
+    measure_head("", (const char *const[]){legend, NULL});
+    printf("kernel: %s\nrays: %d of a scene\nseed: %d\n", algsurf_kernel_name(0), o.rays, o.seed);
+    report(records, count, o.output);
     cli_finish_output();
     return 0;
 }

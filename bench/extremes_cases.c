@@ -1,10 +1,10 @@
-/* extremes_cases.c - see extremes_cases.h: the list of sweeps, and what their makers share. */
-#include "extremes_cases.h"
+/* extremes_cases.c - see extremes.h: the list of sweeps, and what their makers share. */
+#include "extremes.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "extremes_impl.h"
+#include "must.h"
 
 #define VALUES(array) array, sizeof array / sizeof *array
 
@@ -41,36 +41,36 @@ const sweep sweeps[SWEEPS] = {
 
 /* ---- surfaces ---- */
 
-static int take_surface(scene *s, algsurf_surface *surface) {
+static void take_surface(scene *s, algsurf_surface *surface) {
     s->surface = surface;
     s->term_count = algsurf_surface_term_count(surface);
-    s->terms = calloc(s->term_count, sizeof *s->terms);
-    return s->terms && algsurf_surface_terms(surface, s->terms) == ALGSURF_OK;
+    s->terms = must_allocate(s->term_count, sizeof *s->terms);
+    must(algsurf_surface_terms(surface, s->terms), "terms");
 }
 
-int set_equation(scene *s, const char *equation) {
+void set_equation(scene *s, const char *equation) {
     algsurf_surface *surface;
-    return algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL) == ALGSURF_OK &&
-           take_surface(s, surface);
+    must(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), equation);
+    take_surface(s, surface);
 }
 
-int set_terms(scene *s, const algsurf_term *terms, size_t count) {
+void set_terms(scene *s, const algsurf_term *terms, size_t count) {
     algsurf_surface *surface;
-    return algsurf_surface_from_terms(terms, count, &surface) == ALGSURF_OK && take_surface(s, surface);
+    must(algsurf_surface_from_terms(terms, count, &surface), "surface");
+    take_surface(s, surface);
 }
 
-int set_stretched(scene *s, const char *equation, const double stretch[3], double size) {
+void set_stretched(scene *s, const char *equation, const double stretch[3], double size) {
     scene plain = {0};
-    int done = set_equation(&plain, equation);
-    for (size_t k = 0; done && k < plain.term_count; k++) {
+    set_equation(&plain, equation);
+    for (size_t k = 0; k < plain.term_count; k++) {
         algsurf_term *term = &plain.terms[k];
         double root = pow(stretch[0], -0.5 * term->i) * pow(stretch[1], -0.5 * term->j) *
                       pow(stretch[2], -0.5 * term->k);
         term->a *= root * size * root; /* the factor itself may be beyond the doubles */
     }
-    done = done && set_terms(s, plain.terms, plain.term_count);
+    set_terms(s, plain.terms, plain.term_count);
     scene_free(&plain);
-    return done;
 }
 
 /* ---- rays ---- */
@@ -97,12 +97,8 @@ void random_direction(measure_random *random, double w[3]) {
 }
 
 void set_ray(scene *s, size_t i, const double eye[3], const double direction[3]) {
-    for (int k = 0; k < 3; k++) {
-        s->origin[k][i] = eye[k];
-        s->direction[k][i] = direction[k];
-    }
-    s->t_min[i] = 0;
-    s->t_max[i] = INFINITY;
+    s->ray[i] =
+        (algsurf_ray){{eye[0], eye[1], eye[2]}, {direction[0], direction[1], direction[2]}, 0, INFINITY};
     s->expected[i] = ALGSURF_STATE_UNDECIDED;
 }
 
@@ -114,37 +110,19 @@ void set_look(scene *s, size_t i, const double eye[3], const double target[3]) {
     set_ray(s, i, eye, direction);
 }
 
-algsurf_ray scene_ray(const scene *s, size_t i) {
-    algsurf_ray ray = {.t_min = s->t_min[i], .t_max = s->t_max[i]};
-    for (int k = 0; k < 3; k++) {
-        ray.origin[k] = s->origin[k][i];
-        ray.direction[k] = s->direction[k][i];
-    }
-    return ray;
-}
-
 /* ---- scenes ---- */
 
-int scene_make(const sweep *from, int point, int variant, size_t count, int seed, scene *s) {
+void scene_make(const sweep *from, int point, int variant, size_t count, int seed, scene *s) {
     measure_random random = {((uint64_t)seed << 32) + (uint64_t)(from - sweeps) * 10000 +
                              (uint64_t)point * 100 + (uint64_t)variant};
-    *s = (scene){.count = count, .expected = calloc(count, 1)};
-    double **arrays[] = {&s->origin[0],    &s->origin[1],    &s->origin[2], &s->direction[0],
-                         &s->direction[1], &s->direction[2], &s->t_min,     &s->t_max};
-    int done = s->expected != NULL;
-    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
-        done = (*arrays[k] = calloc(count, sizeof **arrays[k])) != NULL && done;
-    return done && from->make(variant, from->values[point], &random, s);
+    *s = (scene){
+        .count = count, .ray = must_allocate(count, sizeof *s->ray), .expected = must_allocate(count, 1)};
+    from->make(variant, from->values[point], &random, s);
 }
 
 void scene_free(scene *s) {
     algsurf_surface_free(s->surface);
     free(s->terms);
-    for (int k = 0; k < 3; k++) {
-        free(s->origin[k]);
-        free(s->direction[k]);
-    }
-    free(s->t_min);
-    free(s->t_max);
+    free(s->ray);
     free(s->expected);
 }

@@ -1,4 +1,4 @@
-/* extremes_scenes.c - the scenes of each sweep: see extremes_cases.h.
+/* extremes_scenes.c - the scenes of each sweep: see extremes.h.
  *
  * Where a ray has to pass something at a small distance, that something is at the origin or in the plane
  * z = 0, because doubles are densest there: the distance then is what it is said to be, although ray and
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "catalogue.h"
-#include "extremes_impl.h"
+#include "extremes.h"
 
 #define TURN 6.283185307179586
 
@@ -32,22 +32,22 @@ static void look_into(scene *s, double far, measure_random *random) {
 
 /* ---- distance, scale ---- */
 
-int make_distance(int variant, double value, measure_random *random, scene *s) {
+void make_distance(int variant, double value, measure_random *random, scene *s) {
     static const char *const names[] = {"tangle", "barth-sextic", "barth-decic"};
     const catalogue_entry *entry = catalogue_find(names[variant]);
     s->extent = entry->extent;
     look_into(s, value, random);
-    return set_equation(s, entry->equation);
+    set_equation(s, entry->equation);
 }
 
 /* P(X / value), times value^(degree / 2): for the sextic coefficients from 1e-300 to 1e300. */
-int make_scale(int variant, double value, measure_random *random, scene *s) {
+void make_scale(int variant, double value, measure_random *random, scene *s) {
     static const char *const names[] = {"sphere", "tangle", "barth-sextic"};
     const catalogue_entry *entry = catalogue_find(names[variant]);
     set_sphere(s, 0, 0, 0, entry->extent.size[0] * value);
     look_into(s, 4, random);
     const double stretch[3] = {value, value, value};
-    return set_stretched(s, entry->equation, stretch, pow(value, entry->degree / 2));
+    set_stretched(s, entry->equation, stretch, pow(value, entry->degree / 2));
 }
 
 /* ---- gap ---- */
@@ -56,7 +56,7 @@ int make_scale(int variant, double value, measure_random *random, scene *s) {
  * - c^2) on both sides of the axis, or for c < 0 as far off the real line.  (x^2 + y^2 - 1)^2 = z^2, alone
  * and with a ball inside, has its first two roots sqrt(1 + c) and sqrt(1 - c) before the axis; (x^2 + y^2 -
  * 1)^2 = -z^2 has none. */
-int make_gap(int variant, double value, measure_random *random, scene *s) {
+void make_gap(int variant, double value, measure_random *random, scene *s) {
     static const char *const equations[] = {"x^2 + y^2 + z^2 - 2z", "(x^2 + y^2 - 1)^2 - z^2",
                                             "((x^2 + y^2 - 1)^2 - z^2) (x^2 + y^2 + z^2 - 1/4)",
                                             "(x^2 + y^2 - 1)^2 + z^2"};
@@ -71,13 +71,13 @@ int make_gap(int variant, double value, measure_random *random, scene *s) {
         int misses = variant == 3 || (variant == 0 && below < 0);
         s->expected[i] = misses ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
     }
-    return set_equation(s, equations[variant]);
+    set_equation(s, equations[variant]);
 }
 
 /* ---- degree ---- */
 
 /* The coefficients of Chebyshev's polynomials are doubles up to degree 64 and beyond: exact. */
-int make_degree(int variant, double value, measure_random *random, scene *s) {
+void make_degree(int variant, double value, measure_random *random, scene *s) {
     enum { MOST = ALGSURF_MAX_DEGREE + 1 };
     double before[MOST] = {0}, t[MOST] = {0}, next[MOST] = {0};
     algsurf_term terms[3 * MOST + 1];
@@ -97,7 +97,7 @@ int make_degree(int variant, double value, measure_random *random, scene *s) {
     terms[count++] = (algsurf_term){0, 0, 0, 1};
     s->extent = (algsurf_extent){ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     look_into(s, 4, random);
-    return set_terms(s, terms, count);
+    set_terms(s, terms, count);
 }
 
 /* ---- singular ---- */
@@ -110,7 +110,7 @@ static void barth_node(double c[3]) {
     c[2] = p * c[1];
 }
 
-int make_singular(int variant, double value, measure_random *random, scene *s) {
+void make_singular(int variant, double value, measure_random *random, scene *s) {
     static const char *const equations[] = {"x^2 z + y^2", "x^2 + y^2 - z^2",
                                             "x^2 y^2 + x^2 z^2 + y^2 z^2 + x y z", NULL};
     const char *equation = equations[variant];
@@ -126,13 +126,13 @@ int make_singular(int variant, double value, measure_random *random, scene *s) {
         for (int k = 0; k < 3; k++) eye[k] = c[k] + value * across[k] / sqrt(size) - 4 * along[k];
         set_ray(s, i, eye, along);
     }
-    return set_equation(s, equation ? equation : catalogue_find("barth-sextic")->equation);
+    set_equation(s, equation ? equation : catalogue_find("barth-sextic")->equation);
 }
 
 /* ---- extent ---- */
 
 /* The extent's centre is 2, 1e3 and 1e6 off the axis z, within 0.3 radii of the surface. */
-int make_extent(int variant, double value, measure_random *random, scene *s) {
+void make_extent(int variant, double value, measure_random *random, scene *s) {
     static const double offsets[] = {2, 1e3, 1e6};
     double angle = measure_uniform(random, 0, TURN), off = offsets[variant % 3];
     double x = off * cos(angle), y = off * sin(angle), z;
@@ -146,13 +146,13 @@ int make_extent(int variant, double value, measure_random *random, scene *s) {
         s->extent =
             (algsurf_extent){ALGSURF_EXTENT_BOX, {x, y, z + shift}, {value, 0.9 * value, 0.8 * value}};
     look_into(s, 4, random);
-    return set_equation(s, variant < 3 ? "x^2 + y^2 - z^2 - 1" : "x^4 + y^4 - z^4 - 1");
+    set_equation(s, variant < 3 ? "x^2 + y^2 - z^2 - 1" : "x^4 + y^4 - z^4 - 1");
 }
 
 /* ---- spread ---- */
 
 /* An ellipsoid and a Tangle whose coefficients of x^n and z^n differ by that much. */
-static int make_stretched(int variant, double value, measure_random *random, scene *s) {
+static void make_stretched(int variant, double value, measure_random *random, scene *s) {
     const catalogue_entry *entry = catalogue_find(variant == 0 ? "sphere" : "tangle");
     double radius = entry->extent.size[0], f = pow(value, 1.0 / entry->degree);
     const double stretch[3] = {f, 1, 1 / f};
@@ -160,16 +160,16 @@ static int make_stretched(int variant, double value, measure_random *random, sce
     look_into(s, 4, random);
     for (int k = 0; k < 3; k++)
         for (size_t i = 0; i < s->count; i++) {
-            s->origin[k][i] *= stretch[k];
-            s->direction[k][i] *= stretch[k];
+            s->ray[i].origin[k] *= stretch[k];
+            s->ray[i].direction[k] *= stretch[k];
         }
     s->extent = (algsurf_extent){ALGSURF_EXTENT_BOX, {0, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < 3; k++) s->extent.size[k] = radius * stretch[k];
-    return set_stretched(s, entry->equation, stretch, 1);
+    set_stretched(s, entry->equation, stretch, 1);
 }
 
 /* Sparse sextics, unbounded; inside a ball. */
-static int make_sparse(int variant, double value, measure_random *random, scene *s) {
+static void make_sparse(int variant, double value, measure_random *random, scene *s) {
     algsurf_term terms[12];
     double most = log10(value);
     for (int k = 0; k < 12; k++) {
@@ -181,18 +181,18 @@ static int make_sparse(int variant, double value, measure_random *random, scene 
     set_sphere(s, 0, 0, 0, 2);
     look_into(s, 4, random);
     if (variant == 2) s->extent = (algsurf_extent){.kind = ALGSURF_EXTENT_ALL};
-    return set_terms(s, terms, 12);
+    set_terms(s, terms, 12);
 }
 
-int make_spread(int variant, double value, measure_random *random, scene *s) {
-    return variant < 2 ? make_stretched(variant, value, random, s) : make_sparse(variant, value, random, s);
+void make_spread(int variant, double value, measure_random *random, scene *s) {
+    (variant < 2 ? make_stretched : make_sparse)(variant, value, random, s);
 }
 
 /* ---- leading ---- */
 
 /* Directions near an asymptotic one: of the terms of highest degree, x^2 z, z^3 and x^2 y^2 (z = 0), the
  * value remains.  Inside a ball, and without end: roots come from infinity. */
-int make_leading(int variant, double value, measure_random *random, scene *s) {
+void make_leading(int variant, double value, measure_random *random, scene *s) {
     static const char *const equations[] = {"x^2 z + y^2 - 1", "z^3 + x z + y",
                                             "x^2 y^2 + x^2 z^2 + y^2 z^2 + x y z"};
     int which = variant % 3;
@@ -206,5 +206,5 @@ int make_leading(int variant, double value, measure_random *random, scene *s) {
         for (int k = 0; k < 3; k++) eye[k] -= 3 * direction[k];
         set_ray(s, i, eye, direction);
     }
-    return set_equation(s, equations[which]);
+    set_equation(s, equations[which]);
 }

@@ -1,10 +1,10 @@
-/* extremes_truth.c - see extremes_truth.h.
+/* extremes_truth.c - see extremes.h.
  *
  * P along the ray in double-double, from its terms, with everything scaled by powers of two beforehand: each
  * coordinate, t, and the terms, so that the largest of each is about 1 and neither overflows nor loses its
  * lower half.
  */
-#include "extremes_truth.h"
+#include "extremes.h"
 #include "twofold.h"
 
 #include <limits.h>
@@ -54,7 +54,7 @@ static int term_exponent(const algsurf_term *a, const powers x[3]) {
 static place place_at(const scene *s, size_t i, twofold t) {
     powers x[3];
     int degree = algsurf_surface_degree(s->surface), most = -1000000;
-    for (int k = 0; k < 3; k++) set_powers(&x[k], s->origin[k][i], s->direction[k][i], t, degree);
+    for (int k = 0; k < 3; k++) set_powers(&x[k], s->ray[i].origin[k], s->ray[i].direction[k], t, degree);
     for (const algsurf_term *a = s->terms; a < s->terms + s->term_count; a++)
         if (term_exponent(a, x) > most) most = term_exponent(a, x);
     place at = {{0, 0}, {0, 0}, 0};
@@ -157,14 +157,15 @@ truth scene_truth(const scene *s, size_t i, const answers *certified) {
 const char *const manner_names[MANNERS] = {"bounded", "certified", "packet"};
 
 static int ask_packet(const scene *s, const answers *a) {
-    const algsurf_ray_packet rays = {.size = sizeof rays,
-                                     .count = s->count,
-                                     .origin = {s->origin[0], s->origin[1], s->origin[2]},
-                                     .direction = {s->direction[0], s->direction[1], s->direction[2]},
-                                     .t_min = s->t_min,
-                                     .t_max = s->t_max};
+    algsurf_ray_packet rays = {.size = sizeof rays,
+                               .count = s->count,
+                               .t_min = &s->ray->t_min,
+                               .t_max = &s->ray->t_max,
+                               .step = sizeof *s->ray / sizeof(double)};
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->t, .t_lo = a->t_lo, .t_hi = a->t_hi};
+    for (int k = 0; k < 3; k++)
+        rays.origin[k] = &s->ray->origin[k], rays.direction[k] = &s->ray->direction[k];
     return algsurf_intersect_packet(s->surface, &s->extent, &rays, NULL, &hits) == ALGSURF_OK;
 }
 
@@ -173,9 +174,9 @@ int scene_ask(const scene *s, manner m, const answers *a) {
     if (m == MANNER_PACKET) return ask_packet(s, a);
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tiers[m]};
     for (size_t i = 0; i < s->count; i++) {
-        algsurf_ray ray = scene_ray(s, i);
         algsurf_hit hit;
-        if (algsurf_intersect_first(s->surface, &s->extent, &ray, &options, &hit) != ALGSURF_OK) return 0;
+        if (algsurf_intersect_first(s->surface, &s->extent, &s->ray[i], &options, &hit) != ALGSURF_OK)
+            return 0;
         a->state[i] = (unsigned char)hit.state;
         a->t[i] = hit.t;
         a->t_lo[i] = hit.t_lo;

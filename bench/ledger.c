@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "catalogue.h"
-#include "cli.h"
 #include "measure.h"
 #include "must.h"
 #include "rays.h"
@@ -27,39 +25,48 @@ static const catalogue_entry *entry_of(const char *name) {
     return entry;
 }
 
-static algsurf_surface *surface_of(const catalogue_entry *entry) {
-    algsurf_surface *surface;
-    must_answer(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
-    return surface;
+/* The least seconds of a call of work(data), again and again for BUDGET seconds, twice at least. */
+static double least_of(void (*work)(void *data), void *data) {
+    double least = HUGE_VAL, begun = measure_cpu();
+    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
+        const double before = measure_cpu();
+        work(data);
+        least = fmin(least, measure_cpu() - before);
+    }
+    return least;
 }
 
 /* ---- pictures ---- */
 
 enum { PLAIN, WIDE, SMALL, ANTIALIAS, FULL, COMPLEX };
 
+typedef struct studio {
+    algsurf_scene *scene;
+    algsurf_render_options options;
+    algsurf_picture planes;
+} studio;
+
+static void render(void *data) {
+    const studio *s = data;
+    must_answer(algsurf_render(s->scene, &s->options, &s->planes, NULL), "picture");
+}
+
 static double time_picture(const char *name, int kind) {
     const catalogue_entry *entry = entry_of(name);
-    algsurf_surface *surface = surface_of(entry);
-    algsurf_scene *scene;
-    algsurf_camera camera;
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0.2, 0.5}};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
-    const algsurf_render_options o = {.size = sizeof o,
-                                      .width = kind == WIDE      ? 3840
-                                               : kind == COMPLEX ? 320
-                                                                 : 640,
-                                      .height = kind == WIDE      ? 2160
-                                                : kind == COMPLEX ? 240
-                                                                  : 480,
-                                      .threads = 1};
-    const size_t pixels = (size_t)o.width * (size_t)o.height;
-    uint8_t *bytes = must_allocate(3 * pixels, 1);
-    const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes};
-    rays_camera(&entry->extent, &camera);
+    const int width = kind == WIDE      ? 3840
+                      : kind == COMPLEX ? 320
+                                        : 640,
+              height = kind == WIDE      ? 2160
+                       : kind == COMPLEX ? 240
+                                         : 480;
+    const size_t pixels = (size_t)width * (size_t)height;
+    algsurf_camera camera = rays_camera(&entry->extent);
     if (kind == SMALL) camera.half_height *= 2.5;
-    must_answer(algsurf_scene_create(surface, &scene), name);
-    must_answer(algsurf_scene_set_extent(scene, &entry->extent), name);
-    must_answer(algsurf_scene_set_camera(scene, &camera), name);
+    algsurf_surface *surface = rays_surface(entry);
+    algsurf_scene *scene = rays_scene(surface, &entry->extent, &camera);
+    uint8_t *bytes = must_allocate(3 * pixels, 1);
     must_answer(algsurf_scene_set_intersect_options(scene, &how), name);
     if (kind == FULL) must_answer(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), name);
     if (kind == COMPLEX) must_answer(algsurf_scene_set_complex_space(scene, &space), name);
@@ -67,16 +74,14 @@ static double time_picture(const char *name, int kind) {
         must_answer(algsurf_scene_set_antialias(scene, 4), name);
         must_answer(algsurf_scene_set_antialias_threshold(scene, 0.1), name);
     }
-    double least = HUGE_VAL, begun = measure_cpu();
-    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
-        const double before = measure_cpu();
-        must_answer(algsurf_render(scene, &o, &planes, NULL), name);
-        least = fmin(least, measure_cpu() - before);
-    }
+    studio s = {scene,
+                {.size = sizeof s.options, .width = width, .height = height, .threads = 1},
+                {.size = sizeof s.planes, .pixels = bytes}};
+    const double seconds = least_of(render, &s);
     free(bytes);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
-    return least / (double)pixels;
+    return seconds / (double)pixels;
 }
 
 /* ---- rays ---- */
@@ -92,41 +97,45 @@ static algsurf_surface *square_of(const catalogue_entry *entry) {
     return surface;
 }
 
-static double time_rays(const char *name, int kind) {
-    static algsurf_ray ray[RAYS];
-    static double origin[3][RAYS], direction[3][RAYS], t[RAYS];
+typedef struct shots {
+    const algsurf_surface *surface;
+    const algsurf_extent *extent;
+    algsurf_ray ray[RAYS];
+    int packet;
+} shots;
+
+static void shoot(void *data) {
+    static double t[RAYS];
     static unsigned char state[RAYS];
-    const catalogue_entry *entry = entry_of(name);
-    const algsurf_extent *extent = kind >= ENDLESS ? NULL : &entry->extent;
+    const shots *s = data;
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
-    const algsurf_ray_packet rays = {.size = sizeof rays,
-                                     .count = RAYS,
-                                     .origin = {origin[0], origin[1], origin[2]},
-                                     .direction = {direction[0], direction[1], direction[2]}};
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
-    algsurf_surface *surface = kind == SQUARED ? square_of(entry) : surface_of(entry);
-    algsurf_camera camera;
-    measure_random random = {7};
-    rays_camera(&entry->extent, &camera);
-    for (int i = 0; i < RAYS; i++) {
-        must_answer(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
-                                       measure_uniform(&random, 0, 768), &ray[i]),
-                    name);
-        for (int k = 0; k < 3; k++) origin[k][i] = ray[i].origin[k], direction[k][i] = ray[i].direction[k];
-    }
-    double least = HUGE_VAL, begun = measure_cpu();
-    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
-        const double before = measure_cpu();
+    algsurf_ray_packet rays = {.size = sizeof rays, .count = RAYS, .step = sizeof *s->ray / sizeof(double)};
+    for (int k = 0; k < 3; k++)
+        rays.origin[k] = &s->ray->origin[k], rays.direction[k] = &s->ray->direction[k];
+    if (s->packet) must_answer(algsurf_intersect_packet(s->surface, s->extent, &rays, &how, &hits), "packet");
+    for (int i = 0; i < RAYS && !s->packet; i++) {
         algsurf_hit hit;
-        if (kind == PACKET || kind == SQUARED || kind == ENDLESS_PACKET)
-            must_answer(algsurf_intersect_packet(surface, extent, &rays, &how, &hits), name);
-        else
-            for (int i = 0; i < RAYS; i++)
-                must_answer(algsurf_intersect_first(surface, extent, &ray[i], &how, &hit), name);
-        least = fmin(least, measure_cpu() - before);
+        must_answer(algsurf_intersect_first(s->surface, s->extent, &s->ray[i], &how, &hit), "ray");
     }
+}
+
+static double time_rays(const char *name, int kind) {
+    static shots s;
+    const catalogue_entry *entry = entry_of(name);
+    algsurf_surface *surface = kind == SQUARED ? square_of(entry) : rays_surface(entry);
+    const algsurf_camera camera = rays_camera(&entry->extent);
+    measure_random random = {7};
+    s.surface = surface;
+    s.extent = kind >= ENDLESS ? NULL : &entry->extent;
+    s.packet = kind == PACKET || kind == SQUARED || kind == ENDLESS_PACKET;
+    for (int i = 0; i < RAYS; i++)
+        must_answer(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
+                                       measure_uniform(&random, 0, 768), &s.ray[i]),
+                    name);
+    const double seconds = least_of(shoot, &s);
     algsurf_surface_free(surface);
-    return least / RAYS;
+    return seconds / RAYS;
 }
 
 /* ---- polynomials ---- */
@@ -189,57 +198,78 @@ static int make_polynomials(const char *name, double *c) {
 
 enum { FIRST, BATCH, ROOTS, LINE, NUMBER, ISOLATE, BOXES };
 
-static void solve(const double *c, int n, int kind) {
+typedef struct polynomials {
+    double c[POLYNOMIALS * (ROOM + 1)];
+    int n, kind;
+} polynomials;
+
+static void solve_batch(const polynomials *p) {
+    static algsurf_real_root roots[POLYNOMIALS * ROOM];
+    static double root[POLYNOMIALS], lo = -1, hi = 1;
+    static unsigned char state[POLYNOMIALS];
+    static int count[POLYNOMIALS];
+    const int first = p->kind == FIRST;
+    const algsurf_batch_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_real_batch batch = {.size = sizeof batch,
+                                      .count = POLYNOMIALS,
+                                      .degree = p->n,
+                                      .coefficients = {p->c, 1, p->n + 1},
+                                      .lo = first ? &lo : NULL,
+                                      .hi = first ? &hi : NULL};
+    must_answer(first ? algsurf_first_roots_batch(&batch, &how, state, root)
+                      : algsurf_real_roots_batch(&batch, &how, roots, count),
+                "batch");
+}
+
+static algsurf_status solve_one(const double *c, int n, int kind) {
     static algsurf_real_root roots[ROOM];
     static algsurf_complex_root boxes[ROOM];
     algsurf_bracket bracket;
     int count;
-    for (int i = 0; i < POLYNOMIALS; i++, c += n + 1) {
-        if (kind == ROOTS) must_answer(algsurf_real_roots(c, n, -1, 1, roots, n, &count), "roots");
-        if (kind == LINE)
-            must_answer(algsurf_real_roots(c, n, -HUGE_VAL, HUGE_VAL, roots, n, &count), "line");
-        if (kind == NUMBER)
-            must_answer(algsurf_count_roots(c, NULL, n, -HUGE_VAL, HUGE_VAL, &count), "number");
-        if (kind == ISOLATE)
-            must_answer(algsurf_isolate_first(c, NULL, n, -1, 1, NULL, &bracket, &count), "isolate");
-        if (kind == BOXES) must_answer(algsurf_complex_roots_of_real(c, NULL, n, boxes, &count), "boxes");
+    switch (kind) {
+    case ROOTS:
+        return algsurf_real_roots(c, n, -1, 1, roots, n, &count);
+    case LINE:
+        return algsurf_real_roots(c, n, -HUGE_VAL, HUGE_VAL, roots, n, &count);
+    case NUMBER:
+        return algsurf_count_roots(c, NULL, n, -HUGE_VAL, HUGE_VAL, &count);
+    case ISOLATE:
+        return algsurf_isolate_first(c, NULL, n, -1, 1, NULL, &bracket, &count);
+    default:
+        return algsurf_complex_roots_of_real(c, NULL, n, boxes, &count);
     }
 }
 
-static double time_polynomials(const char *name, int kind) {
-    static double c[POLYNOMIALS * (ROOM + 1)], root[POLYNOMIALS], lo = -1, hi = 1;
-    static unsigned char state[POLYNOMIALS];
-    const int n = make_polynomials(name, c);
-    const algsurf_batch_options how = {.size = sizeof how, .kernel = kernel};
-    const algsurf_real_batch batch = {.size = sizeof batch,
-                                      .count = POLYNOMIALS,
-                                      .degree = n,
-                                      .coefficients = {c, 1, n + 1},
-                                      .lo = &lo,
-                                      .hi = &hi};
-    algsurf_real_batch whole = batch;
-    whole.lo = whole.hi = NULL;
-    algsurf_real_root *roots = must_allocate(POLYNOMIALS * (size_t)n, sizeof *roots);
-    int *count = must_allocate(POLYNOMIALS, sizeof *count);
-    double least = HUGE_VAL, begun = measure_cpu();
-    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
-        const double before = measure_cpu();
-        if (kind == FIRST)
-            must_answer(algsurf_first_roots_batch(&batch, &how, state, root), name);
-        else if (kind == BATCH)
-            must_answer(algsurf_real_roots_batch(&whole, &how, roots, count), name);
-        else
-            solve(c, n, kind);
-        least = fmin(least, measure_cpu() - before);
+static void solve(void *data) {
+    const polynomials *p = data;
+    if (p->kind == FIRST || p->kind == BATCH) {
+        solve_batch(p);
+        return;
     }
-    free(roots);
-    free(count);
-    return least / POLYNOMIALS;
+    for (int i = 0; i < POLYNOMIALS; i++)
+        must_answer(solve_one(p->c + i * (p->n + 1), p->n, p->kind), "polynomial");
+}
+
+static double time_polynomials(const char *name, int kind) {
+    static polynomials p;
+    p.n = make_polynomials(name, p.c);
+    p.kind = kind;
+    return least_of(solve, &p) / POLYNOMIALS;
+}
+
+static void solve_cluster(void *data) {
+    for (int i = 0; i < POLYNOMIALS; i++) {
+        algsurf_real_root roots[2];
+        int count;
+        must_answer(algsurf_real_roots_integers(data, 2, 0, 1, roots, 2, &count), "cluster");
+        if (count != 2) cli_fail(CLI_BROKEN, "cluster: %d roots", count);
+    }
 }
 
 /* "40", at most ROOM: (2^40 (8 t - 5))^2 - 1, whose roots are 2^-42 apart, in integers. */
 static double time_cluster(const char *what, int kind) {
     const int bits = 2 * number_of(what, ""), limbs = bits / 64 + 2;
+    (void)kind;
     if (bits < 0) cli_fail(CLI_BAD_INPUT, "cluster/%s: expected a number", what);
     uint64_t *limb = must_allocate(3 * (size_t)limbs, sizeof *limb);
     const uint64_t terms[3] = {25, 80, 64};
@@ -248,21 +278,10 @@ static double time_cluster(const char *what, int kind) {
         limb[k * limbs + bits / 64 + 1] = bits % 64 ? terms[k] >> (64 - bits % 64) : 0;
     }
     for (int i = 0; limb[i]-- == 0; i++) continue;
-    const algsurf_integer c[3] = {{limb, limbs}, {limb + limbs, -limbs}, {limb + 2 * limbs, limbs}};
-    double least = HUGE_VAL, begun = measure_cpu();
-    (void)kind;
-    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
-        const double before = measure_cpu();
-        for (int i = 0; i < POLYNOMIALS; i++) {
-            algsurf_real_root roots[2];
-            int count;
-            must_answer(algsurf_real_roots_integers(c, 2, 0, 1, roots, 2, &count), "cluster");
-            if (count != 2) cli_fail(CLI_BROKEN, "cluster of %s: %d roots", what, count);
-        }
-        least = fmin(least, measure_cpu() - before);
-    }
+    algsurf_integer c[3] = {{limb, limbs}, {limb + limbs, -limbs}, {limb + 2 * limbs, limbs}};
+    const double seconds = least_of(solve_cluster, c);
     free(limb);
-    return least / POLYNOMIALS;
+    return seconds / POLYNOMIALS;
 }
 
 /* ---- tasks ---- */

@@ -13,6 +13,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "must.h"
 #include "portable.h"
 
 #ifndef MEASURE_FLAGS
@@ -44,10 +45,19 @@ static int compare(const void *left, const void *right) {
 
 void measure_sort(double *values, size_t count) { qsort(values, count, sizeof *values, compare); }
 
-double measure_quantile(const double *sorted, size_t count, double share) {
-    double rank = ceil(share * (double)count);
-    if (rank < 1) return sorted[0];
-    return rank < (double)count ? sorted[(size_t)rank - 1] : sorted[count - 1];
+double measure_quantile(const double *values, size_t count, double share) {
+    double rank = ceil(share * (double)count), *sorted = must_allocate(count, sizeof *sorted);
+    for (size_t i = 0; i < count; i++) sorted[i] = values[i];
+    measure_sort(sorted, count);
+    double quantile = count > 0 ? sorted[rank < 1 ? 0 : (size_t)rank - 1] : NAN;
+    free(sorted);
+    return quantile;
+}
+
+void measure_take(measure_takes *to, double seconds) { to->seconds[to->count++] = seconds; }
+
+double measure_taken(const measure_takes *t, double share) {
+    return measure_quantile(t->seconds, t->count, share);
 }
 
 uint64_t measure_bits(measure_random *random) {
@@ -91,13 +101,11 @@ void measure_machine(char *line, size_t size) {
              MEASURE_FLAGS);
 }
 
-void measure_print_lines(const char *text, const char *mark) {
-    for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
-        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
-}
-
-void measure_print_machine(const char *mark) {
+void measure_head(const char *mark, const char *const *texts) {
     char machine[512];
+    for (; *texts; texts++)
+        for (const char *line = *texts; *line; line += strcspn(line, "\n") + 1)
+            printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
     measure_machine(machine, sizeof machine);
     printf("%smachine: %s\n", mark, machine);
 }

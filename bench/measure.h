@@ -13,9 +13,19 @@ double measure_call(void (*work)(void *data), void *data);
 /* Into increasing order; no value may be NaN. */
 void measure_sort(double *values, size_t count);
 
-/* The least of the sorted values that at least that share of them does not exceed: share 0 is the minimum,
- * 0.5 the median (the lower one of two), 1 the maximum.  count > 0. */
-double measure_quantile(const double *sorted, size_t count, double share);
+/* The least of the values, in any order, that at least that share of them does not exceed: share 0 is the
+ * minimum, 0.5 the median (the lower one of two), 1 the maximum.  NaN if there are none. */
+double measure_quantile(const double *values, size_t count, double share);
+
+/* How long one thing took, again and again. */
+enum { MEASURE_MOST_TAKES = 100 };
+typedef struct measure_takes {
+    size_t count;
+    double seconds[MEASURE_MOST_TAKES];
+} measure_takes;
+
+void measure_take(measure_takes *to, double seconds);
+double measure_taken(const measure_takes *t, double share); /* the quantile */
 
 /* A generator of random numbers; any seed will do. */
 typedef struct measure_random {
@@ -28,9 +38,8 @@ double measure_uniform(measure_random *random, double lo, double hi); /* in [lo,
 /* Processor, number of cores, compiler and flags of this build, in one line without its end. */
 void measure_machine(char *line, size_t size);
 
-/* The head of a report on standard output: a text's lines, and "machine: " with that line.  The mark comes
- * before each: "# " where programs are to read the report, else "". */
-void measure_print_lines(const char *text, const char *mark);
-void measure_print_machine(const char *mark);
+/* The head of a report on standard output: the lines of some texts, a null behind the last, and "machine: "
+ * with that line.  The mark comes before each: "# " where programs are to read the report, else "". */
+void measure_head(const char *mark, const char *const *texts);
 
 #endif

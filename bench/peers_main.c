@@ -2,13 +2,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "cli.h"
-#include "measure.h"
 #include "peers.h"
 #include "results.h"
 
 typedef struct main_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int quick;
     peers_programs programs;
@@ -29,7 +26,6 @@ static const cli_program program = {
     .synopsis = "--work FOLDER [options]",
     .about = "Compares pictures of libalgsurf with those of other software; called by bench/peers.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 static const char *const all_surfaces[] = {"sphere", "whitney", "cusp", "steiner", "chair",       "tangle",
@@ -38,18 +34,11 @@ static const char *const few_surfaces[] = {"sphere", "torus", "barth", NULL};
 
 static const contest_chapter chapter = {
     .section = "pictures",
-    .title =
-        "Pictures, 1024x768, one sample a pixel, one thread: CPU time of the picture proper, two point "
-        "lights, no\n"
-        "shadows.  hits: pixels that show the surface; lacking, extra: pixels that differ from the picture "
-        "that is\n"
-        "proved, without thin parts; off%: by how much the number of hits does, * where it is more than 0.1 "
-        "%.",
-    .unit = "ms",
-    .count = "hits",
-    .missed = "lacking",
-    .extra = "extra",
-    .error = "off%",
+    .title = "Pictures, 1024x768, one sample a pixel, one thread: CPU time of the picture proper, two\n"
+             "point lights, no shadows.  hits: pixels that show the surface; lacking, extra: pixels that\n"
+             "differ from the picture that is proved, without thin parts; off%: by how much the number\n"
+             "of hits does, * where it is more than 0.1 %.",
+    .heads = {"hits", "lacking", "extra", "off%"},
     .most_error = 0.1,
     .caption = "A picture",
     .subtitle = "1024x768, one sample a pixel, one thread; less is better"};
@@ -57,15 +46,11 @@ static const contest_chapter chapter = {
 int main(int argc, char **argv) {
     main_options o = {.output = NULL};
     contest_table table = {NULL, 0, 0};
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    results_begin(&program, argc, argv, &o, &o.output);
     if (!o.programs.work) cli_fail(CLI_BAD_INPUT, "--work: is missing");
-    if (o.output) results_folder(o.output); /* before the work */
     const int takes = o.quick ? 3 : 5;
     peers_pictures(o.quick ? few_surfaces : all_surfaces, takes, &o.programs, &table);
-    contest_head("its peers", takes);
-    contest_print(&chapter, 1, &table);
-    if (o.output) contest_write(&chapter, 1, &table, o.output, "peers");
+    contest_report("its peers", takes, &chapter, 1, &table, o.output, "peers");
     free(table.row);
     cli_finish_output();
     return 0;

@@ -16,11 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli.h"
-#include "measure.h"
 #include "must.h"
 #include "peers.h"
-#include "peers_scene.h"
+#include "results.h"
 
 enum { PIXELS = PEERS_WIDTH * PEERS_HEIGHT };
 
@@ -84,14 +82,6 @@ static double run(const char *folder, char *const *argv) {
     return children_cpu() - before;
 }
 
-static FILE *open_in(const char *folder, const char *name, const char *mode) {
-    char path[4096];
-    int length = snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = length < (int)sizeof path ? fopen(path, mode) : NULL;
-    if (!file) cli_fail(CLI_BROKEN, "%s/%s: cannot be opened", folder, name);
-    return file;
-}
-
 /* A number of a PPM's head, behind white space and comments. */
 static int head_number(FILE *file) {
     int c = getc(file), number = 0;
@@ -106,7 +96,7 @@ static int head_number(FILE *file) {
 
 /* The background is pure blue, the surface is nowhere without red. */
 static void read_picture(studio *s, const char *program, artist who) {
-    FILE *file = open_in(s->programs->work, "picture.ppm", "rb");
+    FILE *file = results_open(s->programs->work, "picture.ppm", "rb");
     int magic = getc(file) == 'P' && getc(file) == '6';
     int width = head_number(file), height = head_number(file), most = head_number(file);
     if (!magic || width != PEERS_WIDTH || height != PEERS_HEIGHT || most != 255 ||
@@ -119,7 +109,7 @@ static void read_picture(studio *s, const char *program, artist who) {
 /* "Trace Time: ... with 0.123 CPU-seconds total", the parsing and the file left out. */
 static double povray_seconds(const studio *s) {
     static char text[1 << 20];
-    FILE *file = open_in(s->programs->work, "log", "r");
+    FILE *file = results_open(s->programs->work, "log", "r");
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
     const char *line = strstr(text, "Trace Time:"), *with = line ? strstr(line, " with ") : NULL;
@@ -137,13 +127,14 @@ static double draw_there(studio *s, artist who) {
     snprintf(size[1], sizeof size[1], "+H%d", PEERS_HEIGHT);
     char *by_povray[] = {(char *)program, "+Iscene", "+Opicture.ppm", "+FP",   "-D", "-P",
                          "+WT1",          "-A",      size[0],         size[1], NULL};
-    FILE *file = open_in(programs->work, "scene", "w");
+    FILE *file = results_open(programs->work, "scene", "w");
     if (surf)
         peers_write_surf(&s->scene, who == SURF_EMPTY, "picture.ppm", file);
     else
         peers_write_povray(&s->scene, who == POVRAY_STURM, file);
-    if (fclose(file) != 0) cli_fail(CLI_BROKEN, "%s/scene: cannot be written", programs->work);
-    fclose(open_in(programs->work, "picture.ppm", "w")); /* surf ends well without a picture on a bad scene */
+    results_finish(file, programs->work, "scene");
+    fclose(results_open(programs->work, "picture.ppm",
+                        "w")); /* surf ends well without a picture on a bad scene */
     double seconds = run(programs->work, surf ? by_surf : by_povray);
     read_picture(s, program, who);
     return surf ? seconds : povray_seconds(s);
@@ -177,21 +168,17 @@ static void compare(const studio *s, artist who, contest_row *row) {
     row->error = 100 * fabs((double)row->count - (double)truth) / (double)truth;
 }
 
-static void hang(const studio *s, double (*seconds)[CONTEST_MOST_TAKES], int takes, contest_table *table) {
-    double nothing = 0;
-    if (takes_part(s, SURF_EMPTY)) {
-        measure_sort(seconds[SURF_EMPTY], (size_t)takes);
-        nothing = measure_quantile(seconds[SURF_EMPTY], (size_t)takes, 0.5);
-    }
+static void hang(const studio *s, const measure_takes takes[ARTISTS], contest_table *table) {
+    const double nothing = measure_taken(&takes[SURF_EMPTY], 0.5);
     for (artist who = USUAL; who < ARTISTS; who++) {
         contest_row row = {.section = "pictures",
                            .task = s->scene.name,
                            .degree = s->scene.degree,
                            .program = artist_name[who],
-                           .unit = "ms"};
+                           .unit = "ms",
+                           .takes = takes[who]};
         if (!takes_part(s, who) || who == SURF_EMPTY) continue;
-        for (int i = 0; who == SURF && i < takes; i++) seconds[who][i] -= nothing;
-        contest_tell_time(&row, seconds[who], (size_t)takes, 1e3);
+        for (size_t i = 0; who == SURF && i < row.takes.count; i++) row.takes.seconds[i] -= nothing;
         compare(s, who, &row);
         contest_add(table, &row);
     }
@@ -204,13 +191,13 @@ void peers_pictures(const char *const *surfaces, int takes, const peers_programs
                 .hits = must_allocate(PIXELS, sizeof *s.hits)};
     for (int who = 0; who < ARTISTS; who++) s.shows[who] = must_allocate(PIXELS, 1);
     for (const char *const *name = surfaces; *name; name++) {
-        double seconds[ARTISTS][CONTEST_MOST_TAKES];
+        measure_takes seconds[ARTISTS] = {{0}};
         peers_scene_open(&s.scene, catalogue_find(*name));
         for (int take = 0; take < takes; take++)
             for (artist who = USUAL; who < ARTISTS; who++)
                 if (takes_part(&s, who))
-                    seconds[who][take] = who <= THIN_NONE ? draw_here(&s, who) : draw_there(&s, who);
-        hang(&s, seconds, takes, table);
+                    measure_take(&seconds[who], who <= THIN_NONE ? draw_here(&s, who) : draw_there(&s, who));
+        hang(&s, seconds, table);
         peers_scene_close(&s.scene);
     }
     for (int who = 0; who < ARTISTS; who++) free(s.shows[who]);

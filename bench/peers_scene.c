@@ -1,4 +1,4 @@
-/* peers_scene.c - see peers_scene.h.
+/* peers_scene.c - see peers.h.
  *
  * What makes the scenes alike, from the programs' sources and from their pictures:
  * - POV-Ray's pixel centres are at (i+1/2)/W, as ours are.  It clips only rays that it has solved unless
@@ -8,13 +8,11 @@
  *   different pitches, which its scales undo; the clip sphere then is an ellipsoid, 0.03 % off at this size.
  *   Without `clip=sphere` it clips elsewhere; lights 3 and 8 are on unless told otherwise.
  */
-#include "peers_scene.h"
-
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
 #include "must.h"
+#include "peers.h"
 #include "rays.h"
 
 static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii, as rays_camera */
@@ -46,12 +44,10 @@ static void shift(double *cube, int degree, size_t stride, double by) {
 }
 
 static void make_cube(peers_scene *s, const catalogue_entry *entry) {
-    algsurf_surface *surface;
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
-    size_t side = (size_t)s->degree + 1, count = algsurf_surface_term_count(surface);
+    algsurf_surface *surface = rays_surface(entry);
+    size_t side = (size_t)s->degree + 1, count;
     const size_t stride[3] = {side * side, side, 1};
-    algsurf_term *term = must_allocate(count, sizeof *term);
-    must(algsurf_surface_terms(surface, term), entry->name);
+    algsurf_term *term = rays_terms(surface, &count);
     s->cube = must_allocate(side * side * side, sizeof *s->cube);
     for (size_t n = 0; n < count; n++)
         s->cube[(size_t)term[n].i * stride[0] + (size_t)term[n].j * stride[1] + (size_t)term[n].k] =
@@ -62,22 +58,20 @@ static void make_cube(peers_scene *s, const catalogue_entry *entry) {
     algsurf_surface_free(surface);
 }
 
-/* The terms that there are; returns how many. */
-static size_t list_terms(const peers_scene *s, algsurf_term *term) {
-    size_t count = 0;
-    for (int i = 0; i <= s->degree; i++)
-        for (int j = 0; j <= s->degree; j++)
-            for (int k = 0; k <= s->degree; k++) {
-                double a = s->cube[(i * (s->degree + 1) + j) * (s->degree + 1) + k];
-                if (a != 0) term[count++] = (algsurf_term){i, j, k, a};
-            }
-    return count;
+static double entry_at(const peers_scene *s, int i, int j, int k) {
+    return s->cube[(i * (s->degree + 1) + j) * (s->degree + 1) + k];
 }
 
+/* The terms that there are. */
 static algsurf_term *make_terms(const peers_scene *s, size_t *count) {
-    size_t side = (size_t)s->degree + 1;
-    algsurf_term *term = must_allocate(side * side * side, sizeof *term);
-    *count = list_terms(s, term);
+    const int n = s->degree;
+    algsurf_term *term = must_allocate((size_t)((n + 1) * (n + 1) * (n + 1)), sizeof *term);
+    *count = 0;
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= n; j++)
+            for (int k = 0; k <= n; k++)
+                if (entry_at(s, i, j, k) != 0)
+                    term[(*count)++] = (algsurf_term){i, j, k, entry_at(s, i, j, k)};
     return term;
 }
 
@@ -85,13 +79,12 @@ static algsurf_term *make_terms(const peers_scene *s, size_t *count) {
 
 static void make_scene(peers_scene *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {s->radius, 0, 0}};
-    algsurf_camera camera;
+    const algsurf_camera camera = rays_camera(&extent);
     algsurf_light light[LIGHTS] = {{.samples_u = 1, .samples_v = 1}, {.samples_u = 1, .samples_v = 1}};
     size_t count;
     algsurf_term *term = make_terms(s, &count);
     must(algsurf_surface_from_terms(term, count, &s->surface), s->name);
     free(term);
-    rays_camera(&extent, &camera);
     for (int c = 0; c < 3; c++) {
         s->axis[0][c] = camera.right[c];
         s->axis[1][c] = camera.up[c];
@@ -101,9 +94,7 @@ static void make_scene(peers_scene *s) {
         light_position(s, i, light[i].position);
         for (int c = 0; c < 3; c++) light[i].colour[c] = lights[i].percent / 100.0;
     }
-    must(algsurf_scene_create(s->surface, &s->scene), s->name);
-    must(algsurf_scene_set_extent(s->scene, &extent), s->name);
-    must(algsurf_scene_set_camera(s->scene, &camera), s->name);
+    s->scene = rays_scene(s->surface, &extent, &camera);
     must(algsurf_scene_set_lights(s->scene, light, LIGHTS), s->name);
     must(algsurf_scene_set_quality(s->scene, ALGSURF_QUALITY_STANDARD), s->name);
 }
@@ -150,7 +141,7 @@ void peers_write_povray(const peers_scene *s, int sturm, FILE *file) {
     for (int i = s->degree; i >= 0; i--) /* all of them, in falling order */
         for (int j = s->degree - i; j >= 0; j--)
             for (int k = s->degree - i - j; k >= 0; k--) {
-                fprintf(file, "%s%.17g", between, s->cube[(i * (s->degree + 1) + j) * (s->degree + 1) + k]);
+                fprintf(file, "%s%.17g", between, entry_at(s, i, j, k));
                 between = ",\n ";
             }
     fprintf(file,

@@ -4,23 +4,20 @@
  * antialiasing of all pixels or of edges only, in full quality, and ray by ray.  Beside it stands the floor,
  * the same surface lifted by a constant until nothing of it is left inside the extent: what remains to be
  * done there is a chord, coefficients and their signs for each ray.  Every picture that is timed is judged
- * (pictures_draw.h); a contradiction ends the program without a table.  The ways to draw take turns, so that
+ * (pictures.h); a contradiction ends the program without a table.  The ways to draw take turns, so that
  * what else runs on the machine hits them alike.
  */
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "measure.h"
 #include "must.h"
-#include "pictures_report.h"
+#include "pictures.h"
 #include "results.h"
 #include "surfaces.h"
 
 enum { SMALLEST = 16, LARGEST = 65535 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int width, height, repeat, no_full, quick, tsv;
     surface_list surfaces;
@@ -46,7 +43,7 @@ static void set_size(const cli_option *option, const char *value, void *field) {
 static const cli_option options_table[] = {
     {"--size", "WxH", "of the pictures, at least 16x16, default 1024x768", set_size, 0, 0, 0},
     {"--repeat", "N", "pictures of which the median is reported, default 5", cli_set_int, FIELD(repeat), 1,
-     MAX_REPEAT},
+     MEASURE_MOST_TAKES},
     {"--surface", "NAME", "a surface of the catalogue (repeatable), default all of them", surfaces_set,
      FIELD(surfaces), 0, 0},
     {"--no-full", NULL, "no pictures in full quality", cli_set_flag, FIELD(no_full), 0, 0},
@@ -64,7 +61,6 @@ static const cli_program program = {
              "against each other, then prints what they cost.  Pictures that contradict each other:\n"
              "one line on standard error, no table, exit status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 /* ---- the ways to draw ---- */
@@ -98,13 +94,14 @@ static void make_plan(plan *p, int no_full) {
 
 /* ---- a surface in all of them ---- */
 
-static void draw(stage *s, const char *name, const manner *m, times *t) {
-    drawing d;
-    const char *breach = stage_draw(s, m, &d);
+static void draw(stage *s, const char *name, const manner *m, int *threads, measure_takes takes[PARTS]) {
+    algsurf_render_stats stats;
+    const char *breach = stage_draw(s, m, &stats);
     if (breach) cli_fail(CLI_BROKEN, "%s, %s%s: %s", name, m->name, m->lifted ? " (floor)" : "", breach);
-    for (int k = 0; k < PARTS; k++) t->seconds[k][t->count] = d.seconds[k];
-    t->threads = d.threads;
-    t->count++;
+    const double seconds[PARTS] = {stats.total_s, stats.expand_s, stats.solve_s,
+                                   stats.point_s, stats.shadow_s, stats.shade_s};
+    for (int k = 0; k < PARTS; k++) measure_take(&takes[k], seconds[k]);
+    *threads = stats.threads;
 }
 
 static void measure(const bench_options *o, const plan *p, const catalogue_entry *entry, result *r) {
@@ -112,50 +109,35 @@ static void measure(const bench_options *o, const plan *p, const catalogue_entry
     *r = (result){.entry = entry, .rays = stage_rays(s), .hits = stage_hits(s)};
     for (int turn = 0; turn < o->repeat; turn++)
         for (int i = 0; i < p->count; i++)
-            if (turn == 0 || !p->manner[i].once) draw(s, entry->name, &p->manner[i], &r->times[i]);
+            if (turn == 0 || !p->manner[i].once)
+                draw(s, entry->name, &p->manner[i], &r->threads[i], r->takes[i]);
     stage_close(s);
-    for (int i = 0; i < p->count; i++)
-        for (int k = 0; k < PARTS; k++) measure_sort(r->times[i].seconds[k], r->times[i].count);
 }
 
 /* ---- the run ---- */
 
-/* All of the catalogue, but for second names of a surface. */
-static void add_all_surfaces(bench_options *o) {
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++)
-        if (catalogue_first_of(entry) == entry) surfaces_add(&o->surfaces, entry);
-}
-
-static void add_few_surfaces(bench_options *o) {
-    static const char *const few[] = {"sphere", "torus", "boy", "barth", "barth-decic"};
-    surfaces_add_named(&o->surfaces, few, sizeof few / sizeof *few);
-}
-
 static void set_defaults(bench_options *o) {
+    static const char *const few[] = {"sphere", "torus", "boy", "barth", "barth-decic"};
     if (o->width == 0) {
         o->width = o->quick ? 512 : 1024;
         o->height = o->quick ? 384 : 768;
     }
     if (o->surfaces.count > 0) return;
-    if (o->quick)
-        add_few_surfaces(o);
-    else
-        add_all_surfaces(o);
+    if (o->quick) surfaces_add_named(&o->surfaces, few, sizeof few / sizeof *few);
+    for (const catalogue_entry *entry = catalogue; !o->quick && entry->name; entry++)
+        if (catalogue_first_of(entry) == entry) surfaces_add(&o->surfaces, entry); /* no second names */
 }
 
 int main(int argc, char **argv) {
     bench_options o = {.repeat = 5, .surfaces = {.most = SURFACES_ROOM}};
     plan p;
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    results_begin(&program, argc, argv, &o, &o.output);
     set_defaults(&o);
     make_plan(&p, o.no_full);
-    if (o.output) results_folder(o.output); /* before the work */
     result *results = must_allocate((size_t)o.surfaces.count, sizeof *results);
     for (int i = 0; i < o.surfaces.count; i++) measure(&o, &p, o.surfaces.entry[i], &results[i]);
     const report r = {&p, results, o.surfaces.count, o.width, o.height, o.repeat};
-    if (o.output) report_write(&r, o.output);
-    report_print(&r, o.tsv);
+    report_all(&r, o.tsv, o.output);
     free(results);
     return 0;
 }

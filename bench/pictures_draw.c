@@ -1,24 +1,18 @@
-/* pictures_draw.c - see pictures_draw.h.
+/* pictures_draw.c - see pictures.h.
  *
- * The view is the same for all surfaces: R being the radius of the extent, the eye is 4 R from its centre,
- * and the picture is 2.2 R high there.  So a surface fills a picture as another one does.
+ * The view is rays_camera: a surface fills a picture as another one does.
  *
  * The lifted surface is P + c with c = 2 sum |a| X^i Y^j Z^k, where X, Y, Z are the largest |x|, |y|, |z| in
  * the extent: |P| is at most half of that there, whatever rounding does to the sum, and P + c has no zero.
  */
-#define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include "pictures_draw.h"
+#include "pictures.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "cli.h"
 #include "must.h"
-
-static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii */
-static const double TOWARDS_EYE[3] = {2, -3, 1.2};
+#include "rays.h"
 
 typedef struct canvas {
     uint8_t *pixels;
@@ -38,15 +32,6 @@ static size_t pixel_count(const stage *s) { return (size_t)s->width * (size_t)s-
 
 /* ---- the stage ---- */
 
-static void place_camera(stage *s) {
-    const algsurf_extent *extent = &s->entry->extent;
-    const double *to = TOWARDS_EYE, up[3] = {0, 0, 1};
-    double length = sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]), eye[3];
-    double fov = 2 * atan(HALF_HEIGHT / DISTANCE) * (180 / acos(-1));
-    for (int i = 0; i < 3; i++) eye[i] = extent->centre[i] + DISTANCE * extent->size[0] * (to[i] / length);
-    must(algsurf_camera_pinhole(eye, extent->centre, up, fov, &s->camera), s->entry->name);
-}
-
 /* Twice the most that |P| can be in a ball. */
 static double above_all(const algsurf_term *terms, size_t count, const algsurf_extent *ball) {
     double largest[3], sum = 0;
@@ -58,22 +43,13 @@ static double above_all(const algsurf_term *terms, size_t count, const algsurf_e
 }
 
 static algsurf_surface *lift(const algsurf_surface *surface, const catalogue_entry *entry) {
-    size_t count = algsurf_surface_term_count(surface);
-    algsurf_term *terms = must_allocate(count + 1, sizeof *terms);
+    size_t count;
+    algsurf_term *terms = rays_terms(surface, &count);
     algsurf_surface *lifted;
-    must(algsurf_surface_terms(surface, terms), entry->name);
     terms[count] = (algsurf_term){0, 0, 0, above_all(terms, count, &entry->extent)};
     must(algsurf_surface_from_terms(terms, count + 1, &lifted), entry->name);
     free(terms);
     return lifted;
-}
-
-static algsurf_scene *make_scene(const stage *s, const algsurf_surface *surface) {
-    algsurf_scene *scene;
-    must(algsurf_scene_create(surface, &scene), s->entry->name);
-    must(algsurf_scene_set_extent(scene, &s->entry->extent), s->entry->name);
-    must(algsurf_scene_set_camera(scene, &s->camera), s->entry->name);
-    return scene;
 }
 
 static canvas make_canvas(const stage *s) {
@@ -81,22 +57,37 @@ static canvas make_canvas(const stage *s) {
     return (canvas){must_allocate(count, 3), must_allocate(count, sizeof(double))};
 }
 
-static void render(stage *s, const manner *m, const canvas *to, drawing *d);
+static void free_canvas(canvas *c) {
+    free(c->hits);
+    free(c->pixels);
+}
+
+static void render(stage *s, const manner *m, const canvas *to, algsurf_render_stats *stats) {
+    algsurf_scene *scene = m->lifted ? s->lifted_scene : s->scene;
+    const algsurf_intersect_options intersect = {
+        .size = sizeof intersect, .tier = m->tier, .method = m->method, .kernel = m->kernel};
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = s->width, .height = s->height, .threads = m->threads};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = to->pixels, .t = to->hits};
+    stats->size = sizeof *stats;
+    must(algsurf_scene_set_intersect_options(scene, &intersect), s->entry->name);
+    must(algsurf_scene_set_quality(scene, m->quality), s->entry->name);
+    must(algsurf_scene_set_antialias(scene, m->antialias > 0 ? m->antialias : 1), s->entry->name);
+    must(algsurf_scene_set_antialias_threshold(scene, m->threshold), s->entry->name);
+    must(algsurf_render(scene, &options, &picture, stats), s->entry->name);
+}
 
 stage *stage_open(const catalogue_entry *entry, int width, int height) {
     const manner reference = {.threads = 1, .quality = ALGSURF_QUALITY_STANDARD};
-    drawing untimed;
+    algsurf_render_stats untimed;
     stage *s = must_allocate(1, sizeof *s);
-    s->entry = entry;
-    s->width = width;
-    s->height = height;
     if (entry->extent.kind != ALGSURF_EXTENT_SPHERE)
         cli_fail(CLI_BROKEN, "%s: not inside a sphere", entry->name);
-    place_camera(s);
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &s->surface, NULL), entry->name);
+    *s = (stage){.entry = entry, .width = width, .height = height, .camera = rays_camera(&entry->extent)};
+    s->surface = rays_surface(entry);
     s->lifted = lift(s->surface, entry);
-    s->scene = make_scene(s, s->surface);
-    s->lifted_scene = make_scene(s, s->lifted);
+    s->scene = rays_scene(s->surface, &entry->extent, &s->camera);
+    s->lifted_scene = rays_scene(s->lifted, &entry->extent, &s->camera);
     s->reference = make_canvas(s);
     s->smooth = make_canvas(s);
     s->canvas = make_canvas(s);
@@ -109,30 +100,22 @@ void stage_close(stage *s) {
     algsurf_scene_free(s->scene);
     algsurf_surface_free(s->lifted);
     algsurf_surface_free(s->surface);
-    free(s->canvas.hits);
-    free(s->canvas.pixels);
-    free(s->smooth.hits);
-    free(s->smooth.pixels);
-    free(s->reference.hits);
-    free(s->reference.pixels);
+    free_canvas(&s->canvas);
+    free_canvas(&s->smooth);
+    free_canvas(&s->reference);
     free(s);
 }
 
 static algsurf_ray ray_of(const stage *s, size_t pixel) {
-    size_t x = pixel % (size_t)s->width, y = pixel / (size_t)s->width;
-    algsurf_ray ray;
-    must(algsurf_camera_ray(&s->camera, s->width, s->height, (double)x + 0.5, (double)y + 0.5, &ray),
-         s->entry->name);
-    return ray;
+    int x = (int)(pixel % (size_t)s->width), y = (int)(pixel / (size_t)s->width);
+    return rays_ray(&s->camera, s->width, s->height, x, y);
 }
 
 size_t stage_rays(const stage *s) {
     size_t rays = 0;
     for (size_t i = 0; i < pixel_count(s); i++) {
         algsurf_ray ray = ray_of(s, i);
-        int meets;
-        must(algsurf_ray_clip(&ray, &s->entry->extent, NULL, 0, &ray, &meets), s->entry->name);
-        rays += meets != 0;
+        rays += rays_clip(&ray, &s->entry->extent, &ray) != 0;
     }
     return rays;
 }
@@ -144,37 +127,6 @@ static size_t count_hits(const stage *s, const canvas *c) {
 }
 
 size_t stage_hits(const stage *s) { return count_hits(s, &s->reference); }
-
-/* ---- a picture ---- */
-
-static double wall_clock(void) {
-    struct timespec now = {0, 0};
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void render(stage *s, const manner *m, const canvas *to, drawing *d) {
-    algsurf_scene *scene = m->lifted ? s->lifted_scene : s->scene;
-    const algsurf_intersect_options intersect = {
-        .size = sizeof intersect, .tier = m->tier, .method = m->method, .kernel = m->kernel};
-    const algsurf_render_options options = {
-        .size = sizeof options, .width = s->width, .height = s->height, .threads = m->threads};
-    const algsurf_picture picture = {.size = sizeof picture, .pixels = to->pixels, .t = to->hits};
-    algsurf_render_stats stats = {.size = sizeof stats};
-    must(algsurf_scene_set_intersect_options(scene, &intersect), s->entry->name);
-    must(algsurf_scene_set_quality(scene, m->quality), s->entry->name);
-    must(algsurf_scene_set_antialias(scene, m->antialias > 0 ? m->antialias : 1), s->entry->name);
-    must(algsurf_scene_set_antialias_threshold(scene, m->threshold), s->entry->name);
-    double begun = wall_clock();
-    must(algsurf_render(scene, &options, &picture, &stats), s->entry->name);
-    d->seconds[PART_ALL] = wall_clock() - begun;
-    d->seconds[PART_EXPAND] = stats.expand_s;
-    d->seconds[PART_SOLVE] = stats.solve_s;
-    d->seconds[PART_POINT] = stats.point_s;
-    d->seconds[PART_SHADOW] = stats.shadow_s;
-    d->seconds[PART_SHADE] = stats.shade_s;
-    d->threads = stats.threads;
-}
 
 /* ---- its duty ---- */
 
@@ -243,8 +195,8 @@ static const char *breach(const stage *s, duty owed) {
     return NULL;
 }
 
-const char *stage_draw(stage *s, const manner *m, drawing *d) {
-    render(s, m, &s->canvas, d);
+const char *stage_draw(stage *s, const manner *m, algsurf_render_stats *stats) {
+    render(s, m, &s->canvas, stats);
     const char *failure = breach(s, m->duty);
     if (!failure && m->duty == DUTY_SMOOTH) keep(s);
     return failure;

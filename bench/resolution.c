@@ -9,21 +9,21 @@
  * some of its pixels, chosen at random, are compared with those of their rays alone; one that differs ends
  * the program.  Surfaces take turns at each width.
  */
-#include "resolution.h"
-
 #include <stdlib.h>
 
-#include "cli.h"
+#include "chart.h"
 #include "measure.h"
 #include "must.h"
+#include "rays.h"
 #include "results.h"
+#include "sheet.h"
 #include "surfaces.h"
 #include "view.h"
 
 enum { NARROWEST = 128, WIDEST = 8192, QUICK_WIDEST = 1024, SLICE = 512, CHECKED = 1000 };
+enum { MOST_WIDTHS = 16, MOST_TAKES = 64, MOST_SHOWN = 7 }; /* surfaces: colours that plot.h has */
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int widest, repeat, quick, tsv;
     surface_list surfaces;
@@ -51,10 +51,23 @@ static const cli_program program = {
     .synopsis = "[options]",
     .about = "Draws surfaces at growing resolutions, checks the pictures, and prints what a ray costs.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
+static const char legend[] =
+    "What a ray of a picture costs, by the picture's width; one thread, one sample a pixel, with shading\n"
+    "  takes    pictures timed; the states of a thousand of their pixels are those of their rays alone\n"
+    "  ns/ray   wall time of algsurf_render for each ray: median; min, max: its spread\n"
+    "  rows%    of the rays: not decided by tiles, but by their own polynomials, with others of their row\n"
+    "  single%  of the rays: solved by themselves\n";
+
 /* ---- pictures ---- */
+
+/* Of a surface at one width. */
+typedef struct measured {
+    int width, height;
+    measure_takes takes;        /* of the picture */
+    double by_rows, by_singles; /* shares of the rays: solved with their rows, by themselves */
+} measured;
 
 /* A surface at one width, and room for a slice. */
 typedef struct studio {
@@ -75,10 +88,8 @@ static studio open_studio(const catalogue_entry *entry, int width) {
     s.camera = view_camera(&s.shown, 0, 1);
     s.pixels = must_allocate(3 * room, 1);
     s.states = must_allocate(room, 1);
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &s.surface, NULL), entry->name);
-    must(algsurf_scene_create(s.surface, &s.scene), entry->name);
-    must(algsurf_scene_set_extent(s.scene, &s.shown.extent), entry->name);
-    must(algsurf_scene_set_camera(s.scene, &s.camera), entry->name);
+    s.surface = rays_surface(entry);
+    s.scene = rays_scene(s.surface, &s.shown.extent, &s.camera);
     return s;
 }
 
@@ -109,9 +120,8 @@ static algsurf_render_stats draw_slice(const studio *s, int begin, int with_stat
 }
 
 static void check_pixel(const studio *s, int x, int y, int state) {
-    algsurf_ray ray;
+    const algsurf_ray ray = rays_ray(&s->camera, s->width, s->height, x, y);
     algsurf_hit hit;
-    must(algsurf_camera_ray(&s->camera, s->width, s->height, x + 0.5, y + 0.5, &ray), s->entry->name);
     must(algsurf_intersect_first(s->surface, &s->shown.extent, &ray, NULL, &hit), s->entry->name);
     if (hit.state != state)
         cli_fail(CLI_BROKEN, "%s, %d wide: pixel %d,%d: state %d, alone %d", s->entry->name, s->width, x, y,
@@ -143,29 +153,74 @@ static double draw_picture(const studio *s) {
     return seconds;
 }
 
+/* ---- what is told ---- */
+
+static const sheet_column columns[] = {{"surface", -12, NULL},
+                                       {"degree", 6, NULL},
+                                       {"width", 5, NULL},
+                                       {"height", 6, NULL},
+                                       {"takes", 5, NULL},
+                                       {"ns/ray", 7, "ns_ray"},
+                                       {"min", 7, NULL},
+                                       {"max", 7, NULL},
+                                       {"rows%", 6, "rows_percent"},
+                                       {"single%", 7, "single_percent"}};
+
+/* Of each surface's widths. */
+static void report(const bench_options *o, int widths, measured (*found)[MOST_WIDTHS]) {
+    static char machine[512];
+    sheet table = SHEET(columns);
+    plot_axis across = {.label = "width of the picture (pixels)"};
+    chart charts[] = {{.plot = {"What a ray costs, by resolution",
+                                machine,
+                                across,
+                                {.label = "time of a ray (ns)", .scale = PLOT_LOG}}},
+                      {.plot = {"Rays that no tile decides",
+                                "100 %: the picture is drawn without tiles, row by row",
+                                across,
+                                {.label = "% of the rays", .scale = PLOT_LOG}}}};
+    measure_machine(machine, sizeof machine);
+    for (int i = 0; i < o->surfaces.count; i++) {
+        const catalogue_entry *entry = o->surfaces.entry[i];
+        for (int c = 0; c < 2; c++) chart_series(&charts[c], entry->name, PLOT_BOTH);
+        for (const measured *m = found[i]; m < found[i] + widths; m++) {
+            const double ns = 1e9 / ((double)m->width * m->height),
+                         median = ns * measure_taken(&m->takes, 0.5);
+            char width[16];
+            snprintf(width, sizeof width, "%d", m->width);
+            sheet_add(&table, "%s\t%d\t%d\t%d\t%zu\t%.2f\t%.2f\t%.2f\t%.2f\t%.4f", entry->name, entry->degree,
+                      m->width, m->height, m->takes.count, median, ns * measure_taken(&m->takes, 0),
+                      ns * measure_taken(&m->takes, 1), 100 * m->by_rows, 100 * m->by_singles);
+            chart_bar(&charts[0], width, median);
+            chart_bar(&charts[1], width, 100 * (m->by_rows + m->by_singles));
+        }
+    }
+    const char *mark = o->tsv ? "# " : "";
+    measure_head(mark, (const char *const[]){legend, NULL});
+    printf("%skernel: %s\n", mark, algsurf_kernel_name(0));
+    sheet_print(&table, o->tsv);
+    cli_finish_output();
+    sheet_write(&table, o->output, "resolution.csv");
+    chart_write(charts, 2, o->output, "resolution.svg");
+    free(table.rows);
+}
+
 /* ---- the run ---- */
 
 /* All surfaces at one width, in turn. */
-static void measure_width(const bench_options *o, int width, int number, record *records) {
-    double seconds[MOST_SHOWN][MOST_TAKES];
+static void measure_width(const bench_options *o, int width, int number, measured (*found)[MOST_WIDTHS]) {
     studio s[MOST_SHOWN];
     int more = QUICK_WIDEST / width, takes = more > 1 ? more * o->repeat : o->repeat;
     if (takes > MOST_TAKES) takes = MOST_TAKES;
     for (int i = 0; i < o->surfaces.count; i++) {
         s[i] = open_studio(o->surfaces.entry[i], width);
-        records[i].at[number] = (measured){.width = width, .height = s[i].height, .takes = takes};
-        check_picture(&s[i], &records[i].at[number]);
+        found[i][number] = (measured){.width = width, .height = s[i].height};
+        check_picture(&s[i], &found[i][number]);
     }
     for (int take = 0; take < takes; take++)
-        for (int i = 0; i < o->surfaces.count; i++) seconds[i][take] = draw_picture(&s[i]);
-    for (int i = 0; i < o->surfaces.count; i++) {
-        static const double shares[3] = {0.5, 0, 1};
-        double rays = (double)width * s[i].height;
-        measure_sort(seconds[i], (size_t)takes);
-        for (int k = 0; k < 3; k++)
-            records[i].at[number].ns[k] = 1e9 * measure_quantile(seconds[i], (size_t)takes, shares[k]) / rays;
-        close_studio(&s[i]);
-    }
+        for (int i = 0; i < o->surfaces.count; i++)
+            measure_take(&found[i][number].takes, draw_picture(&s[i]));
+    for (int i = 0; i < o->surfaces.count; i++) close_studio(&s[i]);
 }
 
 static void set_defaults(bench_options *o) {
@@ -177,16 +232,12 @@ static void set_defaults(bench_options *o) {
 }
 
 int main(int argc, char **argv) {
-    static record records[MOST_SHOWN];
+    static measured found[MOST_SHOWN][MOST_WIDTHS];
     bench_options o = {.surfaces = {.most = MOST_SHOWN}};
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    int widths = 0;
+    results_begin(&program, argc, argv, &o, &o.output);
     set_defaults(&o);
-    if (o.output) results_folder(o.output); /* before the work */
-    report r = {.records = records, .surfaces = o.surfaces.count};
-    for (int i = 0; i < o.surfaces.count; i++) records[i].entry = o.surfaces.entry[i];
-    for (int width = NARROWEST; width <= o.widest; width *= 2) measure_width(&o, width, r.widths++, records);
-    if (o.output) report_write(&r, o.output);
-    report_print(&r, o.tsv);
+    for (int width = NARROWEST; width <= o.widest; width *= 2) measure_width(&o, width, widths++, found);
+    report(&o, widths, found);
     return 0;
 }

@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <string.h>
 
-#include "cli.h"
 #include "portable.h"
 
 typedef struct path {
@@ -22,16 +21,19 @@ _Noreturn static void fail(const char *name) {
     cli_fail(CLI_BROKEN, "cannot write %s: %s", cli_quote(name).text, strerror(errno));
 }
 
-void results_folder(const char *folder) {
-    if (portable_make_folder(folder) == 0) return;
+void results_begin(const cli_program *program, int argc, char **argv, void *options,
+                   const char *const *folder) {
+    if (cli_parse_files(program, argc, argv, options) > 0)
+        cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(argv[1]).text);
+    if (!*folder || portable_make_folder(*folder) == 0) return;
     int why = errno;
-    if (portable_kind_of(join(folder, ".").text) == PORTABLE_FOLDER) return;
+    if (portable_kind_of(join(*folder, ".").text) == PORTABLE_FOLDER) return;
     errno = why;
-    fail(folder);
+    fail(*folder);
 }
 
-FILE *results_create(const char *folder, const char *name) {
-    FILE *file = fopen(join(folder, name).text, "wb");
+FILE *results_open(const char *folder, const char *name, const char *mode) {
+    FILE *file = fopen(join(folder, name).text, mode);
     if (!file) fail(name);
     return file;
 }
@@ -41,8 +43,4 @@ void results_finish(FILE *file, const char *folder, const char *name) {
     if (fclose(file) == 0 && written) return;
     (void)remove(join(folder, name).text);
     fail(name);
-}
-
-void results_plot(const plot *plots, size_t count, const char *folder, const char *name) {
-    if (plot_write_column(plots, count, join(folder, name).text) != 0) fail(name);
 }

@@ -1,19 +1,18 @@
-/* results.h - the folder that a benchmark's --output names, and the files in it.  All of these end the
- * program when they cannot do what they are for, and leave no half of a file. */
+/* results.h - what benchmarks share of their command lines, and the folder that --output names with the files
+ * in it. All of these end the program when they cannot do what they are for, and leave no half of a file. */
 #ifndef RESULTS_H
 #define RESULTS_H
 #include <stdio.h>
 
-#include "plot.h"
+#include "cli.h"
 
-/* Makes the folder; one that is there already will do. */
-void results_folder(const char *folder);
+/* Reads a command line without plain arguments, and makes the folder, which is among the options, if one is
+ * given; one that is there already will do. */
+void results_begin(const cli_program *program, int argc, char **argv, void *options,
+                   const char *const *folder);
 
-/* A file to be written, and its end. */
-FILE *results_create(const char *folder, const char *name);
+/* A file in the folder, opened as fopen does; the end of one that was written. */
+FILE *results_open(const char *folder, const char *name, const char *mode);
 void results_finish(FILE *file, const char *folder, const char *name);
-
-/* Charts, one below the other, as SVG. */
-void results_plot(const plot *plots, size_t count, const char *folder, const char *name);
 
 #endif

@@ -13,9 +13,7 @@
 #include <unistd.h>
 
 #include "cli.h"
-#include "measure.h"
 #include "roots.h"
-#include "roots_others.h"
 
 enum { MOST = ALGSURF_MAX_POLY_DEGREE, DIGITS = 80 };
 
@@ -25,45 +23,37 @@ typedef struct number {
 } number;
 
 typedef struct polynomial {
-    int degree, complex;
+    int degree; /* of what is there, where factors are multiplied */
     number re[MOST + 1], im[MOST + 1];
 } polynomial;
 
 /* ---- integers ---- */
 
-/* a += b factor, for a's and b's `digits` lowest. */
-static void add_digits(uint32_t *a, const uint32_t *b, int digits, uint32_t factor) {
-    uint64_t carry = 0;
-    for (int i = 0; i < digits; i++) {
-        carry += (uint64_t)b[i] * factor + a[i];
-        a[i] = (uint32_t)carry;
-        carry >>= 32;
+static const number one = {{1}};
+
+static number number_of(int64_t value) {
+    number a;
+    memset(&a, value < 0 ? 0xff : 0, sizeof a);
+    a.digit[0] = (uint32_t)value;
+    a.digit[1] = (uint32_t)((uint64_t)value >> 32);
+    return a;
+}
+
+/* a += b c, modulo 2^2560. */
+static void add_product(number *a, const number *b, const number *c) {
+    for (int i = 0; i < DIGITS; i++) {
+        uint64_t carry = 0;
+        for (int k = 0; c->digit[i] && k < DIGITS - i; k++) {
+            carry += (uint64_t)b->digit[k] * c->digit[i] + a->digit[i + k];
+            a->digit[i + k] = (uint32_t)carry;
+            carry >>= 32;
+        }
     }
 }
 
-static void complement(number *a) {
-    for (int i = 0; i < DIGITS; i++) a->digit[i] = ~a->digit[i];
-}
-
-/* a += b factor, |factor| < 2^32. */
 static void add_times(number *a, const number *b, int64_t factor) {
-    if (factor < 0) complement(a);
-    add_digits(a->digit, b->digit, DIGITS, (uint32_t)(factor < 0 ? -factor : factor));
-    if (factor < 0) complement(a);
-}
-
-static void add_product(number *a, const number *b, const number *c) {
-    for (int i = 0; i < DIGITS; i++)
-        if (c->digit[i]) add_digits(a->digit + i, b->digit, DIGITS - i, c->digit[i]);
-}
-
-static const number one = {{1}};
-
-/* a = high 2^32 + low, as int64_t has them. */
-static void set(number *a, int64_t value) {
-    memset(a, value < 0 ? 0xff : 0, sizeof *a);
-    a->digit[0] = (uint32_t)value;
-    a->digit[1] = (uint32_t)((uint64_t)value >> 32);
+    const number c = number_of(factor);
+    add_product(a, b, &c);
 }
 
 static void times(number *a, int64_t factor) {
@@ -75,6 +65,8 @@ static void times(number *a, int64_t factor) {
 /* ---- the families: p comes as the polynomial 0 ---- */
 
 static measure_random dice;
+
+static void set(polynomial *p, int k, int64_t value) { p->re[k] = number_of(value); }
 
 static int pick(int below) { return (int)(measure_bits(&dice) % (uint64_t)below); }
 
@@ -90,27 +82,21 @@ static void times_factor(polynomial *p, int64_t c2, int64_t c1, int64_t c0) {
 
 /* p_(m+1) = (a t + b) p_m - c p_(m-1), from 1. */
 static void recur(polynomial *p, int n, void coefficients(int m, int64_t *a, int64_t *b, int64_t *c)) {
-    static polynomial before;
-    before = *p;
+    static number before[MOST + 1];
+    memset(before, 0, sizeof before);
     p->re[0] = one;
     for (int m = 0; m < n; m++) {
         int64_t a, b, c;
-        polynomial *last = &before;
         coefficients(m, &a, &b, &c);
         for (int k = m + 1; k >= 0; k--) {
             number next = {{0}};
             add_times(&next, &p->re[k], b);
             if (k > 0) add_times(&next, &p->re[k - 1], a);
-            add_times(&next, &last->re[k], -c);
-            last->re[k] = next;
-        }
-        for (int k = 0; k <= m + 1; k++) {
-            number next = last->re[k];
-            last->re[k] = p->re[k];
+            add_times(&next, &before[k], -c);
+            before[k] = p->re[k];
             p->re[k] = next;
         }
     }
-    p->degree = n;
 }
 
 static void by_chebyshev(int m, int64_t *a, int64_t *b, int64_t *c) { *a = m ? 2 : 1, *b = 0, *c = 1; }
@@ -130,7 +116,6 @@ static void wilkinson(polynomial *p, int n) {
 
 /* n! (1 + t + t^2/2 .. t^n/n!) */
 static void exponential(polynomial *p, int n) {
-    p->degree = n;
     p->re[n] = one;
     for (int k = n; k > 0; k--) add_times(&p->re[k - 1], &p->re[k], k);
 }
@@ -152,47 +137,34 @@ static void mandelbrot(polynomial *p, int n) {
 /* t^n - (a t - 1)^2: two real roots at 1/a, some a^(-n/2) apart. */
 static void mignotte(polynomial *p, int n) {
     const int64_t a = (1 << 26) + 1;
-    p->degree = n;
-    set(&p->re[0], -1), set(&p->re[1], 2 * a), set(&p->re[2], -a * a), set(&p->re[n], 1);
+    set(p, 0, -1), set(p, 1, 2 * a), set(p, 2, -a * a), set(p, n, 1);
 }
 
 /* 1 + t^(n-2) (t + 20000)^2 */
 static void far_pair(polynomial *p, int n) {
-    p->degree = n;
-    set(&p->re[0], 1), set(&p->re[n], 1), set(&p->re[n - 1], 40000), set(&p->re[n - 2], 400000000);
+    set(p, 0, 1), set(p, n, 1), set(p, n - 1, 40000), set(p, n - 2, 400000000);
 }
 
-static void unity(polynomial *p, int n) {
-    p->degree = n;
-    set(&p->re[0], -1), set(&p->re[n], 1);
-}
+static void unity(polynomial *p, int n) { set(p, 0, -1), set(p, n, 1); }
 
-static void turned_unity(polynomial *p, int n) {
-    p->degree = n;
-    p->complex = 1;
-    set(&p->im[0], -1), set(&p->re[n], 1);
-}
+static void turned_unity(polynomial *p, int n) { p->im[0] = number_of(-1), p->re[n] = one; }
 
 static void sparse(polynomial *p, int n) {
-    p->degree = n;
-    for (int k = 0; k < 10; k++) set(&p->re[k ? pick(n) : 0], 1 + pick(1000));
-    set(&p->re[n], -1 - pick(1000));
+    for (int k = 0; k < 10; k++) set(p, k ? pick(n) : 0, 1 + pick(1000));
+    set(p, n, -1 - pick(1000));
 }
 
 /* Integers times 10^-300 to 10^300, all times 10^300. */
 static void exponents(polynomial *p, int n) {
-    p->degree = n;
     for (int k = 0; k <= n; k++) {
-        set(&p->re[k], 1 + pick(1000000000));
+        set(p, k, 1 + pick(1000000000));
         for (int e = pick(601); e > 0; e--) times(&p->re[k], 10);
         if (pick(2)) times(&p->re[k], -1);
     }
 }
 
 static void gaussian(polynomial *p, int n) {
-    p->degree = n;
-    p->complex = 1;
-    for (int k = 0; k <= n; k++) set(&p->re[k], 1 + pick(1000)), set(&p->im[k], pick(2001) - 1000);
+    for (int k = 0; k <= n; k++) set(p, k, 1 + pick(1000)), p->im[k] = number_of(pick(2001) - 1000);
 }
 
 /* 2^k, k from -n/2. */
@@ -248,7 +220,7 @@ enum { FAMILIES = sizeof families / sizeof *families };
 /* A family as magnitudes and signs, and this library's answer. */
 static int degree;
 static uint64_t limb[2][MOST + 1][DIGITS / 2];
-static algsurf_integer integer[2][MOST + 1];
+static algsurf_integer integer[2][MOST + 1], *imaginary; /* null: there are none */
 static algsurf_complex_root own[MOST];
 static int boxes;
 
@@ -296,10 +268,8 @@ typedef struct answer {
     other_root root[MOST];
 } answer;
 
-static const algsurf_integer *imaginary(const polynomial *p) { return p->complex ? integer[1] : NULL; }
-
 /* Solves until the clock can tell how long that takes; 0 where it takes more than the patience, or breaks. */
-static int solve_apart(const solver *s, const polynomial *p, unsigned patience, answer *shared) {
+static int solve_apart(const solver *s, unsigned patience, answer *shared) {
     int status;
     pid_t child = fork();
     if (child == 0) {
@@ -310,7 +280,7 @@ static int solve_apart(const solver *s, const polynomial *p, unsigned patience, 
         int rounds = 0;
         (void)setrlimit(RLIMIT_CPU, &(struct rlimit){patience, patience});
         do {
-            shared->roots = s->solve(integer[0], imaginary(p), degree, shared->root);
+            shared->roots = s->solve(integer[0], imaginary, degree, shared->root);
             shared->seconds = (measure_cpu() - begun) / ++rounds;
         } while (measure_cpu() - begun < 2e-2);
         _exit(0);
@@ -318,17 +288,20 @@ static int solve_apart(const solver *s, const polynomial *p, unsigned patience, 
     return child > 0 && waitpid(child, &status, 0) == child && status == 0;
 }
 
-static void prepare(size_t i, polynomial *p) {
+static void prepare(size_t i) {
+    static polynomial p;
     int different = families[i].different, expected = families[i].real, real = 0;
-    memset(p, 0, sizeof *p);
+    memset(&p, 0, sizeof p);
     dice = (measure_random){i};
-    families[i].make(p, families[i].n);
-    degree = p->degree;
+    degree = families[i].n;
+    families[i].make(&p, degree);
+    imaginary = NULL;
     for (int k = 0; k <= degree; k++) {
-        integer[0][k] = integer_of(p->re[k], limb[0][k]);
-        integer[1][k] = integer_of(p->im[k], limb[1][k]);
+        integer[0][k] = integer_of(p.re[k], limb[0][k]);
+        integer[1][k] = integer_of(p.im[k], limb[1][k]);
+        if (integer[1][k].length != 0) imaginary = integer[1];
     }
-    if (!solve_here(integer[0], imaginary(p), degree, NULL)) cli_fail(CLI_BROKEN, "%s", families[i].name);
+    if (!solve_here(integer[0], imaginary, degree, NULL)) cli_fail(CLI_BROKEN, "%s", families[i].name);
     for (int b = 0; b < boxes; b++) real += own[b].real;
     if ((different >= 0 && boxes != different) || (expected >= 0 && real != expected))
         cli_fail(CLI_BROKEN, "%s: %d roots, %d of them real", families[i].name, boxes, real);
@@ -339,19 +312,15 @@ static void judge(const solver *s, const answer *a, contest_row *row) {
     row->count = (size_t)a->roots;
     if (s->solve == solve_here) return;
     roots_judge(own, boxes, a->root, a->roots, 0, row);
-    if (s->proves && row->missed + row->extra > 0)
-        cli_fail(CLI_BROKEN, "%s: %s and algsurf contradict each other", row->task, s->program);
+    roots_check(s->program, s->proves, row);
 }
 
 /* In turn, but what is slow only once. */
 static void contend(size_t family, const roots_effort *effort, contest_table *table) {
-    static polynomial p;
     answer *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    double seconds[SOLVERS][CONTEST_MOST_TAKES];
     contest_row row[SOLVERS];
-    size_t takes[SOLVERS] = {0};
     if (shared == MAP_FAILED) cli_no_memory();
-    prepare(family, &p);
+    prepare(family);
     for (int k = 0; k < SOLVERS; k++)
         row[k] = (contest_row){.section = families[family].section,
                                .task = families[family].name,
@@ -360,15 +329,12 @@ static void contend(size_t family, const roots_effort *effort, contest_table *ta
                                .unit = "ms"};
     for (int take = 0; take < effort->takes; take++)
         for (int k = 0; k < SOLVERS; k++) {
-            if (take > 0 && seconds[k][0] > effort->budget) continue;
-            int done = solve_apart(&solvers[k], &p, (unsigned)effort->patience, shared);
+            if (take > 0 && row[k].takes.seconds[0] > effort->budget) continue;
+            int done = solve_apart(&solvers[k], (unsigned)effort->patience, shared);
             if (done && take == 0) judge(&solvers[k], shared, &row[k]);
-            seconds[k][takes[k]++] = done ? shared->seconds : effort->patience;
+            measure_take(&row[k].takes, done ? shared->seconds : effort->patience);
         }
-    for (int k = 0; k < SOLVERS; k++) {
-        contest_tell_time(&row[k], seconds[k], takes[k], 1e3);
-        contest_add(table, &row[k]);
-    }
+    for (int k = 0; k < SOLVERS; k++) contest_add(table, &row[k]);
     munmap(shared, sizeof *shared);
 }
 

@@ -3,36 +3,28 @@
  * What is right is what algsurf_real_roots proves; Arb, which decides in exact arithmetic, must agree with it
  * on those it gets to; if not there is no table.  The others' answers may be wrong: they are counted. */
 #include <math.h>
-#include <stdlib.h>
 
-#include "cli.h"
 #include "must.h"
 #include "roots.h"
-#include "roots_others.h"
 
 static const double RIGHT = 1e-6; /* an answer is right that is off by no more */
 
-/* A contestant: by one call each, or by packets of so many. */
-typedef struct solver {
-    const char *program;
-    size_t packet;
-    other_interval *find;
-    int proves; /* its answers must be right */
-    const roots_set *on;
-    double *root;
-    int *count;
-} solver;
+/* The answers are s->count and s->real. */
+static void solve_each(const roots_solver *s, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; i++)
+        s->count[i] = s->by.interval(roots_set_at(s->on, s->on->c, i), s->on->degree,
+                                     s->real + i * (size_t)s->on->degree);
+}
 
 static int find_here(const double *c, int degree, double *roots) {
     algsurf_real_root found[ALGSURF_MAX_DEGREE];
     int count;
-    algsurf_status status = algsurf_real_roots(c, degree, -1, 1, found, ALGSURF_MAX_DEGREE, &count);
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "real roots: %s", algsurf_status_text(status));
+    must(algsurf_real_roots(c, degree, -1, 1, found, ALGSURF_MAX_DEGREE, &count), "real roots");
     for (int i = 0; i < count; i++) roots[i] = found[i].root;
     return count;
 }
 
-static void solve_packet(const solver *s, size_t begin, size_t end) {
+static void solve_packet(const roots_solver *s, size_t begin, size_t end) {
     static algsurf_real_root found[ROOTS_AT_ONCE * ALGSURF_MAX_DEGREE];
     size_t n = (size_t)s->on->degree;
     const double lo = -1, hi = 1;
@@ -42,44 +34,31 @@ static void solve_packet(const solver *s, size_t begin, size_t end) {
                                        .coefficients = roots_set_rows(s->on, s->on->c, begin),
                                        .lo = &lo,
                                        .hi = &hi};
-    algsurf_status status = algsurf_real_roots_batch(&packet, NULL, found, s->count + begin);
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "packet: %s", algsurf_status_text(status));
+    must(algsurf_real_roots_batch(&packet, NULL, found, s->count + begin), "packet");
     for (size_t i = begin; i < end; i++)
         for (int k = 0; k < s->count[i]; k++)
-            s->root[i * n + (size_t)k] = found[(i - begin) * n + (size_t)k].root;
-}
-
-static void solve(void *self, size_t begin, size_t end) {
-    const solver *s = self;
-    size_t n = (size_t)s->on->degree, step = s->packet ? s->packet : 1;
-    for (size_t i = begin; i < end; i += step)
-        if (s->packet)
-            solve_packet(s, i, end - i < step ? end : i + step);
-        else
-            s->count[i] = s->find(s->on->c + i * (n + 1), s->on->degree, s->root + i * n);
+            s->real[i * n + (size_t)k] = found[(i - begin) * n + (size_t)k].root;
 }
 
 /* ---- the contest ---- */
 
-static const solver solvers[] = {
-    {"algsurf", 0, find_here, 1, NULL, NULL, NULL},
-    {"algsurf 1024 at once", ROOTS_AT_ONCE, NULL, 1, NULL, NULL, NULL},
-    {"algsurf 8 at once", ROOTS_FEW, NULL, 1, NULL, NULL, NULL},
+static const roots_solver solvers[] = {
+    {.program = "algsurf", .solve = solve_each, .by.interval = find_here, .proves = 1},
+    {.program = "algsurf 1024 at once", .solve = solve_packet, .packet = ROOTS_AT_ONCE, .proves = 1},
+    {.program = "algsurf 8 at once", .solve = solve_packet, .packet = ROOTS_FEW, .proves = 1},
 #ifdef WITH_CYPOLYNOMIAL
-    {"cyPolynomial", 0, by_cy_interval, 0, NULL, NULL, NULL},
+    {.program = "cyPolynomial", .solve = solve_each, .by.interval = by_cy_interval},
 #endif
 #ifdef WITH_GSL
-    {"GSL", 0, by_gsl_interval, 0, NULL, NULL, NULL},
+    {.program = "GSL", .solve = solve_each, .by.interval = by_gsl_interval},
 #endif
 #ifdef WITH_PARI
-    {"PARI", 0, by_pari_interval, 0, NULL, NULL, NULL},
+    {.program = "PARI", .solve = solve_each, .by.interval = by_pari_interval},
 #endif
 #ifdef WITH_ARB
-    {"Arb", 0, by_arb_interval, 1, NULL, NULL, NULL},
+    {.program = "Arb", .solve = solve_each, .by.interval = by_arb_interval, .proves = 1},
 #endif
 };
-
-enum { SOLVERS = sizeof solvers / sizeof *solvers };
 
 /* Of one polynomial: both are in increasing order. */
 static void compare(const double *truth, int roots, const double *answer, int answers, contest_row *row) {
@@ -99,50 +78,20 @@ static void compare(const double *truth, int roots, const double *answer, int an
     row->extra += (size_t)(answers - k);
 }
 
-static void judge(const solver *s, const solver *truth, contest_row *row) {
+static void judge(const roots_solver *s, const roots_solver *first, contest_row *row) {
     size_t n = (size_t)s->on->degree;
     for (size_t i = 0; i < row->count; i++)
-        compare(truth->root + i * n, truth->count[i], s->root + i * n, s->count[i], row);
+        compare(first->real + i * n, first->count[i], s->real + i * n, s->count[i], row);
     if (s->packet && row->error > 0) cli_fail(CLI_BROKEN, "%s: packets and single calls differ", s->on->name);
-    if (s->proves && row->missed + row->extra > 0)
-        cli_fail(CLI_BROKEN, "%s: %s and algsurf contradict each other", s->on->name, s->program);
-}
-
-static void contend(const roots_set *on, const roots_effort *effort, contest_table *table) {
-    solver own[SOLVERS];
-    contestant contestants[SOLVERS];
-    contest_row row[SOLVERS];
-    for (int k = 0; k < SOLVERS; k++) {
-        own[k] = solvers[k];
-        own[k].on = on;
-        own[k].root = must_allocate(on->count * (size_t)on->degree, sizeof *own[k].root);
-        own[k].count = must_allocate(on->count, sizeof *own[k].count);
-        contestants[k] = (contestant){.program = own[k].program, .solve = solve, .self = &own[k]};
-    }
-    contest_warm_up(contestants, 1, on->count, INFINITY); /* all of them, to judge by */
-    contest_warm_up(contestants + 1, SOLVERS - 1, on->count, effort->budget);
-    for (int k = 0; k < SOLVERS; k++) {
-        row[k] = (contest_row){.section = "interval",
-                               .task = on->name,
-                               .degree = on->degree,
-                               .program = own[k].program,
-                               .unit = "ns",
-                               .count = contestants[k].count};
-        judge(&own[k], &own[0], &row[k]);
-    }
-    contest_run(contestants, row, SOLVERS, effort->takes, 1e9, table);
-    for (int k = 0; k < SOLVERS; k++) {
-        free(own[k].root);
-        free(own[k].count);
-    }
 }
 
 void roots_interval(const roots_effort *effort, contest_table *table) {
     static const char *const surfaces[] = {"sphere", "cusp", "tangle", "barth", "barth-decic"};
+    const roots_contest contest = {"interval", "ns", solvers, sizeof solvers / sizeof *solvers, judge, 0};
     for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++) {
         roots_set on;
         roots_set_of_rays(&on, surfaces[i], effort->real);
-        contend(&on, effort, table);
+        roots_contend(&contest, &on, effort, table);
         roots_set_free(&on);
     }
 }

@@ -9,29 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "measure.h"
 #include "must.h"
 #include "rays.h"
 #include "roots.h"
-#include "roots_others.h"
 
-enum { MOST_DEGREE = 256, MOST_MEMBERS = 64 };
-
-/* Polynomials of a kind. */
-typedef struct family {
-    const char *name;
-    size_t count;
-    int degree[MOST_MEMBERS], real[MOST_MEMBERS]; /* different real roots */
-    double *c[MOST_MEMBERS];
-} family;
-
-typedef struct solver {
-    const char *program;
-    other_line *find;
-    const family *on;
-    int *answer;
-} solver;
+enum { MOST_DEGREE = 256, MEMBERS = 64 };
 
 /* ---- this library ---- */
 
@@ -66,19 +48,12 @@ static int complex_here(const double *c, int degree) {
     return real;
 }
 
-static void solve(void *self, size_t begin, size_t end) {
-    const solver *s = self;
-    for (size_t i = begin; i < end; i++) s->answer[i] = s->find(s->on->c[i], s->on->degree[i]);
+static void solve(const roots_solver *s, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; i++)
+        s->count[i] = s->by.line(roots_set_at(s->on, s->on->c, i), s->on->degrees[i]);
 }
 
 /* ---- the polynomials ---- */
-
-static double *add(family *f, int degree, int real) {
-    double *c = f->c[f->count] = must_allocate((size_t)degree + 1, sizeof *c);
-    f->degree[f->count] = degree;
-    f->real[f->count++] = real;
-    return c;
-}
 
 /* (x-1) (x-2) .. (x-n) */
 static void set_wilkinson(double *c, int n) {
@@ -87,42 +62,32 @@ static void set_wilkinson(double *c, int n) {
         for (int k = r; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - (k < r ? r * c[k] : 0);
 }
 
-/* By p_(k+1) = a x p_k - b_k p_(k-1). */
-static void recur(double *c, int n, double first, double a, double b, double growth) {
-    double before[MOST_DEGREE + 1] = {1}, p[MOST_DEGREE + 1] = {0, first};
-    for (int m = 1; m < n; m++) {
-        double next[MOST_DEGREE + 1];
+/* p_(m+1) = ((a x + b) p_m - c p_(m-1)) / d, from 1. */
+typedef struct recurrence {
+    double a, b, c, d;
+} recurrence;
+
+static void recur(double *p, int n, recurrence step(int m)) {
+    double before[MOST_DEGREE + 1] = {0}, next[MOST_DEGREE + 1];
+    p[0] = 1;
+    for (int m = 0; m < n; m++) {
+        const recurrence r = step(m);
         for (int k = 0; k <= m + 1; k++)
-            next[k] = (k > 0 ? a * p[k - 1] : 0) - (b + growth * m) * (k < m ? before[k] : 0);
-        memcpy(before, p, sizeof before);
-        memcpy(p, next, sizeof(double) * (size_t)(m + 2));
-    }
-    memcpy(c, p, sizeof(double) * (size_t)(n + 1));
-}
-
-static void set_chebyshev(double *c, int n) { recur(c, n, 1, 2, 1, 0); }
-static void set_hermite(double *c, int n) { recur(c, n, 2, 2, 0, 2); }
-
-static double binomial(int n, int k) {
-    double b = 1;
-    for (int i = 1; i <= k; i++) b = b * (n - k + i) / i;
-    return b;
-}
-
-/* 2^n P_n = sum (-1)^k C(n,k) C(2n-2k,n) x^(n-2k) */
-static void set_legendre(double *c, int n) {
-    for (int k = 0; 2 * k <= n; k++)
-        c[n - 2 * k] = (k % 2 ? -1 : 1) * binomial(n, k) * binomial(2 * n - 2 * k, n);
-}
-
-/* n! L_n = sum (-1)^k C(n,k) n!/k! x^k */
-static void set_laguerre(double *c, int n) {
-    double quotient = 1;
-    for (int k = n; k >= 0; k--) {
-        c[k] = (k % 2 ? -1 : 1) * binomial(n, k) * quotient;
-        quotient *= k;
+            next[k] = ((k > 0 ? r.a * p[k - 1] : 0) + r.b * p[k] - r.c * before[k]) / r.d;
+        memcpy(before, p, sizeof *p * (size_t)(m + 1));
+        memcpy(p, next, sizeof *p * (size_t)(m + 2));
     }
 }
+
+static recurrence chebyshev(int m) { return (recurrence){m ? 2 : 1, 0, 1, 1}; }
+static recurrence hermite(int m) { return (recurrence){2, 0, 2 * m, 1}; }
+static recurrence legendre(int m) { return (recurrence){2 * (2 * m + 1), 0, 4 * m, m + 1}; } /* 2^n P_n */
+static recurrence laguerre(int m) { return (recurrence){-1, 2 * m + 1, m * m, 1}; }          /* n! L_n */
+
+static void set_chebyshev(double *c, int n) { recur(c, n, chebyshev); }
+static void set_hermite(double *c, int n) { recur(c, n, hermite); }
+static void set_legendre(double *c, int n) { recur(c, n, legendre); }
+static void set_laguerre(double *c, int n) { recur(c, n, laguerre); }
 
 static void set_mignotte(double *c, int n) {
     const double a = 1000; /* no power of two, which halving would meet */
@@ -135,12 +100,6 @@ static void set_mignotte(double *c, int n) {
 static void set_power(double *c, int n) {
     c[n] = 1;
     c[0] = -(2 * n + 1);
-}
-
-static void open_family(family *f, const char *name, void set(double *c, int n), int from, int to, int step,
-                        int real) {
-    *f = (family){.name = name};
-    for (int n = from; n <= to; n += step) set(add(f, n, real ? real : n), n);
 }
 
 static int count_exactly(const double *c, int degree) {
@@ -166,99 +125,79 @@ static int count_exactly(const double *c, int degree) {
     return count;
 }
 
-static void open_rays(family *f, const char *surface) {
+/* Their numbers of roots are to be set. */
+static void open_set(roots_set *on, const char *name, int degree, size_t count) {
+    roots_set_open(on, name, degree, 0, count);
+    on->degrees = must_allocate(count, sizeof *on->degrees);
+    on->real = must_allocate(count, sizeof *on->real);
+    for (size_t i = 0; i < count; i++) on->degrees[i] = degree;
+}
+
+static void open_rays(roots_set *on, const char *surface) {
     const catalogue_entry *entry = catalogue_find(surface);
-    size_t stride = (size_t)entry->degree + 1;
-    double *c = must_allocate(MOST_MEMBERS * stride, sizeof *c);
-    *f = (family){.name = surface};
-    rays_polynomials(entry, 3, MOST_MEMBERS, c);
-    for (size_t i = 0; i < MOST_MEMBERS; i++)
-        memcpy(add(f, entry->degree, count_exactly(c + i * stride, entry->degree)), c + i * stride,
-               stride * sizeof *c);
-    free(c);
+    open_set(on, surface, entry->degree, MEMBERS);
+    rays_polynomials(entry, 3, MEMBERS, on->c);
+    for (size_t i = 0; i < MEMBERS; i++)
+        on->real[i] = count_exactly(roots_set_at(on, on->c, i), entry->degree);
 }
 
-static void open_random(family *f) {
+static void open_random(roots_set *on) {
     measure_random random = {4};
-    *f = (family){.name = "random"};
-    for (int n = 8; n <= 56; n += 4) {
-        double *c = add(f, n, 0);
-        for (int k = 0; k <= n; k++) c[k] = measure_uniform(&random, -1, 1);
-        f->real[f->count - 1] = count_exactly(c, n);
+    open_set(on, "random", 56, 13);
+    for (size_t i = 0; i < on->count; i++) {
+        double *c = roots_set_at(on, on->c, i);
+        on->degrees[i] = 8 + 4 * (int)i;
+        for (int k = 0; k <= on->degrees[i]; k++) c[k] = measure_uniform(&random, -1, 1);
+        on->real[i] = count_exactly(c, on->degrees[i]);
     }
-}
-
-static void close_family(family *f) {
-    for (size_t i = 0; i < f->count; i++) free(f->c[i]);
 }
 
 /* ---- the contest ---- */
 
-static const solver isolators[] = {
-    {"algsurf", isolate_here, NULL, NULL},          {"algsurf refined", refine_here, NULL, NULL},
-    {"algsurf complex", complex_here, NULL, NULL},
+static const roots_solver isolators[] = {
+    {.program = "algsurf", .solve = solve, .by.line = isolate_here, .proves = 1},
+    {.program = "algsurf refined", .solve = solve, .by.line = refine_here, .proves = 1},
+    {.program = "algsurf complex",
+     .solve = solve,
+     .by.line = complex_here,
+     .proves = 1,
+     .most_degree = ALGSURF_MAX_DEGREE},
 #ifdef WITH_FLINT_ISOLATION
-    {"FLINT", by_flint_isolated, NULL, NULL},
+    {.program = "FLINT", .solve = solve, .by.line = by_flint_isolated},
 #endif
 #ifdef WITH_PARI
-    {"PARI refined", by_pari_isolated, NULL, NULL},
+    {.program = "PARI refined", .solve = solve, .by.line = by_pari_isolated},
 #endif
 };
 
-static const solver counters[] = {
-    {"algsurf", count_here, NULL, NULL},
+static const roots_solver counters[] = {
+    {.program = "algsurf", .solve = solve, .by.line = count_here, .proves = 1},
 #ifdef WITH_ARB
-    {"FLINT", by_flint_counted, NULL, NULL},
+    {.program = "FLINT", .solve = solve, .by.line = by_flint_counted},
 #endif
 #ifdef WITH_PARI
-    {"PARI", by_pari_counted, NULL, NULL},
+    {.program = "PARI", .solve = solve, .by.line = by_pari_counted},
 #endif
 };
 
-enum { MOST_SOLVERS = 5 };
-
-static void judge(const solver *s, contest_row *row) {
+static void judge(const roots_solver *s, const roots_solver *first, contest_row *row) {
+    (void)first; /* the numbers are known */
     for (size_t i = 0; i < row->count; i++) {
-        int off = s->answer[i] - s->on->real[i];
+        int off = s->count[i] - s->on->real[i];
         row->missed += off < 0;
         row->extra += off > 0;
     }
-    if (row->missed + row->extra > 0 && strncmp(s->program, "algsurf", 7) == 0)
-        cli_fail(CLI_BROKEN, "%s: wrong numbers of roots by %s", s->on->name, s->program);
 }
 
-static void contend(const char *section, const solver *solvers, size_t count, const family *on,
-                    const roots_effort *effort, contest_table *table) {
-    solver own[MOST_SOLVERS];
-    contestant contestants[MOST_SOLVERS];
-    contest_row row[MOST_SOLVERS];
-    size_t some = 0;
-    for (size_t k = 0; k < count; k++) {
-        if (solvers[k].find == complex_here && on->degree[on->count - 1] > ALGSURF_MAX_DEGREE) continue;
-        own[some] = solvers[k];
-        own[some].on = on;
-        own[some].answer = must_allocate(on->count, sizeof *own[some].answer);
-        contestants[some] = (contestant){.program = own[some].program, .solve = solve, .self = &own[some]};
-        some++;
-    }
-    contest_warm_up(contestants, some, on->count, INFINITY);
-    for (size_t k = 0; k < some; k++) {
-        row[k] = (contest_row){.section = section,
-                               .task = on->name,
-                               .degree = on->degree[on->count - 1],
-                               .program = own[k].program,
-                               .unit = "us",
-                               .count = contestants[k].count};
-        judge(&own[k], &row[k]);
-    }
-    contest_run(contestants, row, some, effort->takes, 1e6, table);
-    for (size_t k = 0; k < some; k++) free(own[k].answer);
-}
+static const roots_contest isolated = {"isolated", "us", isolators, sizeof isolators / sizeof *isolators,
+                                       judge,      1},
+                           counted = {"counted", "us", counters, sizeof counters / sizeof *counters,
+                                      judge,     1};
 
-static void both(family *f, const roots_effort *effort, contest_table *table) {
-    contend("isolated", isolators, sizeof isolators / sizeof *isolators, f, effort, table);
-    contend("counted", counters, sizeof counters / sizeof *counters, f, effort, table);
-    close_family(f);
+static void contend(roots_set *on, const roots_effort *effort, contest_table *table) {
+    roots_contend(&isolated, on, effort, table);
+    roots_contend(&counted, on, effort, table);
+    roots_set_free(on);
 }
 
 void roots_line(const roots_effort *effort, contest_table *table) {
@@ -271,16 +210,21 @@ void roots_line(const roots_effort *effort, contest_table *table) {
                  {"Laguerre", set_laguerre, 4, 16, 2, 0},   {"Mignotte", set_mignotte, 8, 128, 24, 4},
                  {"x^n - a", set_power, 8, 128, 24, 2}};
     static const char *const surfaces[] = {"tangle", "barth", "barth-decic"};
-    family f;
+    roots_set on;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        open_family(&f, kinds[i].name, kinds[i].set, kinds[i].from, kinds[i].to, kinds[i].step,
-                    kinds[i].real);
-        both(&f, effort, table);
+        int count = (kinds[i].to - kinds[i].from) / kinds[i].step + 1;
+        open_set(&on, kinds[i].name, kinds[i].to, (size_t)count);
+        for (int k = 0; k < count; k++) {
+            int n = on.degrees[k] = kinds[i].from + k * kinds[i].step;
+            on.real[k] = kinds[i].real ? kinds[i].real : n;
+            kinds[i].set(roots_set_at(&on, on.c, (size_t)k), n);
+        }
+        contend(&on, effort, table);
     }
     for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++) {
-        open_rays(&f, surfaces[i]);
-        both(&f, effort, table);
+        open_rays(&on, surfaces[i]);
+        contend(&on, effort, table);
     }
-    open_random(&f);
-    both(&f, effort, table);
+    open_random(&on);
+    contend(&on, effort, table);
 }

@@ -68,22 +68,12 @@ static int solve_integers(const algsurf_integer *re, const algsurf_integer *im, 
     return solve(context, p, degree, goal, roots);
 }
 
-int by_mpsolve_secular_isolate(const algsurf_integer *re, const algsurf_integer *im, int degree,
-                               other_root *roots) {
-    return solve_integers(re, im, degree, MPS_ALGORITHM_SECULAR_GA, MPS_OUTPUT_GOAL_ISOLATE, roots);
-}
-
-int by_mpsolve_secular_approximate(const algsurf_integer *re, const algsurf_integer *im, int degree,
-                                   other_root *roots) {
-    return solve_integers(re, im, degree, MPS_ALGORITHM_SECULAR_GA, MPS_OUTPUT_GOAL_APPROXIMATE, roots);
-}
-
-int by_mpsolve_classic_isolate(const algsurf_integer *re, const algsurf_integer *im, int degree,
-                               other_root *roots) {
-    return solve_integers(re, im, degree, MPS_ALGORITHM_STANDARD_MPSOLVE, MPS_OUTPUT_GOAL_ISOLATE, roots);
-}
-
-int by_mpsolve_classic_approximate(const algsurf_integer *re, const algsurf_integer *im, int degree,
-                                   other_root *roots) {
-    return solve_integers(re, im, degree, MPS_ALGORITHM_STANDARD_MPSOLVE, MPS_OUTPUT_GOAL_APPROXIMATE, roots);
-}
+/* One of the two algorithms with one of the two goals. */
+#define BY(name, algorithm, goal)                                                                            \
+    int name(const algsurf_integer *re, const algsurf_integer *im, int degree, other_root *roots) {          \
+        return solve_integers(re, im, degree, algorithm, goal, roots);                                       \
+    }
+BY(by_mpsolve_secular_isolate, MPS_ALGORITHM_SECULAR_GA, MPS_OUTPUT_GOAL_ISOLATE)
+BY(by_mpsolve_secular_approximate, MPS_ALGORITHM_SECULAR_GA, MPS_OUTPUT_GOAL_APPROXIMATE)
+BY(by_mpsolve_classic_isolate, MPS_ALGORITHM_STANDARD_MPSOLVE, MPS_OUTPUT_GOAL_ISOLATE)
+BY(by_mpsolve_classic_approximate, MPS_ALGORITHM_STANDARD_MPSOLVE, MPS_OUTPUT_GOAL_APPROXIMATE)

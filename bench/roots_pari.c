@@ -38,70 +38,6 @@ static GEN exact_polynomial(const double *c, int degree) {
     return normalizepol(p);
 }
 
-int by_pari_interval(const double *c, int degree, double *real) {
-    volatile int count = 0;
-    start();
-    pari_sp before = avma;
-    pari_CATCH(CATCH_ALL) { count = 0; }
-    pari_TRY {
-        GEN found = realroots(exact_polynomial(c, degree), mkvec2(gen_m1, gen_1), DEFAULTPREC);
-        for (long i = 1; i < lg(found); i++) real[i - 1] = gtodouble(gel(found, i));
-        count = (int)lg(found) - 1;
-    }
-    pari_ENDCATCH;
-    set_avma(before);
-    return count;
-}
-
-double by_pari_first(const double *c, int degree) {
-    double real[ALGSURF_MAX_DEGREE];
-    return by_pari_interval(c, degree, real) > 0 ? real[0] : NAN;
-}
-
-int by_pari_isolated(const double *c, int degree) {
-    volatile int count = -1;
-    start();
-    pari_sp before = avma;
-    pari_CATCH(CATCH_ALL) { count = -1; }
-    pari_TRY { count = (int)lg(realroots(exact_polynomial(c, degree), NULL, DEFAULTPREC)) - 1; }
-    pari_ENDCATCH;
-    set_avma(before);
-    return count;
-}
-
-int by_pari_counted(const double *c, int degree) {
-    volatile int count = -1;
-    start();
-    pari_sp before = avma;
-    pari_CATCH(CATCH_ALL) { count = -1; }
-    pari_TRY { count = (int)RgX_sturmpart(exact_polynomial(c, degree), NULL); }
-    pari_ENDCATCH;
-    set_avma(before);
-    return count;
-}
-
-static int all_roots(GEN p, other_root *answer) {
-    GEN found = roots(normalizepol(p), DEFAULTPREC);
-    for (long i = 1; i < lg(found); i++)
-        answer[i - 1] = (other_root){gtodouble(greal(gel(found, i))), gtodouble(gimag(gel(found, i))), NAN};
-    return (int)lg(found) - 1;
-}
-
-int by_pari_all(const double *re, const double *im, int degree, other_root *answer) {
-    volatile int count = 0;
-    start();
-    pari_sp before = avma;
-    pari_CATCH(CATCH_ALL) { count = 0; }
-    pari_TRY {
-        GEN p = polynomial(degree);
-        for (int k = 0; k <= degree; k++) gel(p, k + 2) = approximate(re[k], im ? im[k] : 0);
-        count = all_roots(p, answer);
-    }
-    pari_ENDCATCH;
-    set_avma(before);
-    return count;
-}
-
 static GEN integer(const algsurf_integer *z) {
     GEN value = gen_0;
     for (int i = labs(z->length) - 1; i >= 0; i--)
@@ -110,19 +46,79 @@ static GEN integer(const algsurf_integer *z) {
     return z->length < 0 ? negi(value) : value;
 }
 
-int by_pari_integers(const algsurf_integer *re, const algsurf_integer *im, int degree, other_root *answer) {
-    volatile int count = 0;
+/* What is asked, and where the answers go. */
+typedef struct question {
+    const double *c, *im;
+    const algsurf_integer *re_integers, *im_integers;
+    int degree;
+    double *real;
+    other_root *root;
+} question;
+
+/* Returns how many roots `find` finds, -1: PARI gives up; and leaves its stack as it was. */
+static int ask(int (*find)(const question *q), const question *q) {
+    volatile int count = -1;
     start();
     pari_sp before = avma;
-    pari_CATCH(CATCH_ALL) { count = 0; }
-    pari_TRY {
-        GEN p = polynomial(degree);
-        for (int k = 0; k <= degree; k++)
-            gel(p, k + 2) =
-                im && im[k].length ? mkcomplex(integer(&re[k]), integer(&im[k])) : integer(&re[k]);
-        count = all_roots(p, answer);
-    }
+    pari_CATCH(CATCH_ALL) { count = -1; }
+    pari_TRY { count = find(q); }
     pari_ENDCATCH;
     set_avma(before);
     return count;
+}
+
+static int in_interval(const question *q) {
+    GEN found = realroots(exact_polynomial(q->c, q->degree), mkvec2(gen_m1, gen_1), DEFAULTPREC);
+    for (long i = 1; i < lg(found); i++) q->real[i - 1] = gtodouble(gel(found, i));
+    return (int)lg(found) - 1;
+}
+
+static int isolated(const question *q) {
+    return (int)lg(realroots(exact_polynomial(q->c, q->degree), NULL, DEFAULTPREC)) - 1;
+}
+
+static int counted(const question *q) { return (int)RgX_sturmpart(exact_polynomial(q->c, q->degree), NULL); }
+
+static int all(const question *q) {
+    GEN p = polynomial(q->degree);
+    for (int k = 0; k <= q->degree; k++)
+        if (q->c)
+            gel(p, k + 2) = approximate(q->c[k], q->im ? q->im[k] : 0);
+        else if (q->im_integers && q->im_integers[k].length)
+            gel(p, k + 2) = mkcomplex(integer(&q->re_integers[k]), integer(&q->im_integers[k]));
+        else
+            gel(p, k + 2) = integer(&q->re_integers[k]);
+    GEN found = roots(normalizepol(p), DEFAULTPREC);
+    for (long i = 1; i < lg(found); i++)
+        q->root[i - 1] = (other_root){gtodouble(greal(gel(found, i))), gtodouble(gimag(gel(found, i))), NAN};
+    return (int)lg(found) - 1;
+}
+
+/* Of an answer that there is not. */
+static int or_none(int count) { return count < 0 ? 0 : count; }
+
+int by_pari_interval(const double *c, int degree, double *real) {
+    return or_none(ask(in_interval, &(question){.c = c, .degree = degree, .real = real}));
+}
+
+double by_pari_first(const double *c, int degree) {
+    double real[ALGSURF_MAX_DEGREE];
+    return by_pari_interval(c, degree, real) > 0 ? real[0] : NAN;
+}
+
+int by_pari_isolated(const double *c, int degree) {
+    return ask(isolated, &(question){.c = c, .degree = degree});
+}
+
+int by_pari_counted(const double *c, int degree) {
+    return ask(counted, &(question){.c = c, .degree = degree});
+}
+
+int by_pari_all(const double *re, const double *im, int degree, other_root *root) {
+    return or_none(ask(all, &(question){.c = re, .im = im, .degree = degree, .root = root}));
+}
+
+int by_pari_integers(const algsurf_integer *re, const algsurf_integer *im, int degree, other_root *root) {
+    return or_none(
+        ask(all, &(question){.re_integers = re, .im_integers = im, .degree = degree, .root = root}));
 }

@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "catalogue.h"
-#include "cli.h"
-#include "measure.h"
 #include "must.h"
 #include "rays.h"
 #include "roots.h"
@@ -53,11 +50,8 @@ static int list_manners(manner *m) {
 static void set_scene(manner *m, const algsurf_surface *surface, const catalogue_entry *entry) {
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
     const algsurf_intersect_options intersect = {.size = sizeof intersect, .kernel = m->kernel};
-    algsurf_camera camera;
-    rays_camera(&entry->extent, &camera);
-    must(algsurf_scene_create(surface, &m->scene), entry->name);
-    must(algsurf_scene_set_extent(m->scene, &entry->extent), entry->name);
-    must(algsurf_scene_set_camera(m->scene, &camera), entry->name);
+    const algsurf_camera camera = rays_camera(&entry->extent);
+    m->scene = rays_scene(surface, &entry->extent, &camera);
     must(algsurf_scene_set_intersect_options(m->scene, &intersect), entry->name);
     must(algsurf_scene_set_complex_space(m->scene, &space), entry->name);
     must(algsurf_scene_set_coherence(m->scene, m->coherence), entry->name);
@@ -67,29 +61,30 @@ static void set_scene(manner *m, const algsurf_surface *surface, const catalogue
 static void contend(const catalogue_entry *entry, const roots_effort *effort, contest_table *table) {
     manner m[MOST_MANNERS];
     contestant contestants[MOST_MANNERS];
-    algsurf_surface *surface;
+    algsurf_surface *surface = rays_surface(entry);
     int count = list_manners(m);
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
     for (int i = 0; i < count; i++) {
         set_scene(&m[i], surface, entry);
-        contestants[i] = (contestant){.program = m[i].program, .solve = solve, .self = &m[i]};
+        contestants[i] = (contestant){.row = {.section = "complex pictures",
+                                              .task = entry->name,
+                                              .degree = entry->degree,
+                                              .program = m[i].program,
+                                              .unit = "ms"},
+                                      .solve = solve,
+                                      .self = &m[i]};
     }
     contest_warm_up(contestants, (size_t)count, 1, 1);
-    for (int i = 1; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        const algsurf_render_stats *stats = &m[i].stats;
+        contest_row *row = &contestants[i].row;
         if (memcmp(m[0].pixels, m[i].pixels, BYTES) != 0)
             cli_fail(CLI_BROKEN, "%s: not the same picture by %s", entry->name, m[i].program);
-    contest_row row[MOST_MANNERS];
-    for (int i = 0; i < count; i++)
-        row[i] = (contest_row){.section = "complex pictures",
-                               .task = entry->name,
-                               .degree = entry->degree,
-                               .program = m[i].program,
-                               .unit = "ms",
-                               .count = m[i].stats.hits,
-                               .missed = m[i].stats.single_rays,
-                               .extra = m[i].stats.undecided,
-                               .error = (double)m[i].stats.iterations / (WIDTH * HEIGHT) / entry->degree};
-    contest_run(contestants, row, (size_t)count, effort->takes, 1e3, table);
+        row->count = stats->hits;
+        row->missed = stats->single_rays;
+        row->extra = stats->undecided;
+        row->error = (double)stats->iterations / (WIDTH * HEIGHT) / entry->degree;
+    }
+    contest_run(contestants, (size_t)count, effort->takes, table);
     for (int i = 0; i < count; i++) {
         algsurf_scene_free(m[i].scene);
         free(m[i].pixels);

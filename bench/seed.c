@@ -8,17 +8,10 @@
  * on the machine hits them alike.
  */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "cli.h"
-#include "measure.h"
-#include "seed_bare.h"
-#include "seed_decic.h"
-#include "seed_figures.h"
+#include "must.h"
 #include "results.h"
-#include "seed_pictures.h"
-#include "seed_report.h"
+#include "seed.h"
 
 static const double TOLERANCE = 1e-7;
 
@@ -30,7 +23,6 @@ enum {
 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int quick;
 } bench_options;
@@ -55,7 +47,6 @@ static const cli_program program = {
              "what each costs and where it fails.  A root missed by a method that may not: one line\n"
              "on standard error, no table, exit status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 static const char *const surfaces[SEED_SURFACES] = {"barth",  "cusp",       "torus",
@@ -143,19 +134,17 @@ static double pass_isolation(const seed_view *view, int bare) {
     return (measure_cpu() - begun) / (double)rays;
 }
 
-static void add_time(seed_times *to, double seconds) { to->seconds[to->count++] = seconds; }
-
 /* ---- a surface ---- */
 
 static void time_roots(const seed_view *view, seed_result *result) {
     for (int m = 0; m < SEED_METHODS; m++) {
-        add_time(&result->cost[m].refine, pass(view, m, TOLERANCE, 0));
-        add_time(&result->cost[m].solve, pass(view, m, TOLERANCE, 1));
+        measure_take(&result->cost[m].refine, pass(view, m, TOLERANCE, 0));
+        measure_take(&result->cost[m].solve, pass(view, m, TOLERANCE, 1));
     }
-    add_time(&result->idle[0], pass(view, SEED_BRENT, 1, 0)); /* half a bracket is at most 1 */
-    add_time(&result->idle[1], pass(view, SEED_OWN, 1, 0));
-    add_time(&result->isolation, pass_isolation(view, 0));
-    add_time(&result->bare, pass_isolation(view, 1));
+    measure_take(&result->idle[0], pass(view, SEED_BRENT, 1, 0)); /* half a bracket is at most 1 */
+    measure_take(&result->idle[1], pass(view, SEED_OWN, 1, 0));
+    measure_take(&result->isolation, pass_isolation(view, 0));
+    measure_take(&result->bare, pass_isolation(view, 1));
 }
 
 static void time_pictures(const seed_view *view, seed_result *result, int repeat) {
@@ -165,9 +154,9 @@ static void time_pictures(const seed_view *view, seed_result *result, int repeat
         size_t none;
         for (int m = 0; m < SEED_OWN; m++) {
             double seconds = seed_draw(&easel, &seed_methods[m], TOLERANCE, 0, &result->cost[m].wrong_pixels);
-            add_time(&result->cost[m].picture, seconds);
+            measure_take(&result->cost[m].picture, seconds);
         }
-        add_time(&result->packets, seed_draw(&easel, &seed_methods[SEED_DEFAULT], TOLERANCE, 1, &none));
+        measure_take(&result->packets, seed_draw(&easel, &seed_methods[SEED_DEFAULT], TOLERANCE, 1, &none));
     }
     seed_easel_close(&easel);
 }
@@ -183,18 +172,6 @@ static void measure_surface(int which, const bench_options *o, seed_result *resu
     seed_close(&view);
 }
 
-static void sort_times(seed_result *r) {
-    for (int m = 0; m < SEED_METHODS; m++) {
-        measure_sort(r->cost[m].refine.seconds, r->cost[m].refine.count);
-        measure_sort(r->cost[m].solve.seconds, r->cost[m].solve.count);
-        measure_sort(r->cost[m].picture.seconds, r->cost[m].picture.count);
-    }
-    for (int i = 0; i < 2; i++) measure_sort(r->idle[i].seconds, r->idle[i].count);
-    measure_sort(r->isolation.seconds, r->isolation.count);
-    measure_sort(r->bare.seconds, r->bare.count);
-    measure_sort(r->packets.seconds, r->packets.count);
-}
-
 /* ---- the run ---- */
 
 int main(int argc, char **argv) {
@@ -202,17 +179,11 @@ int main(int argc, char **argv) {
     static seed_result results[SEED_COUNTED];
     static seed_census censuses[SEED_SURFACES];
     static seed_decic decic;
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
-    if (o.output) results_folder(o.output);
-    for (int i = 0; i < SEED_SURFACES; i++) {
-        measure_surface(i, &o, &results[i], &censuses[i]);
-        sort_times(&results[i]);
-    }
+    results_begin(&program, argc, argv, &o, &o.output);
+    for (int i = 0; i < SEED_SURFACES; i++) measure_surface(i, &o, &results[i], &censuses[i]);
     seed_decic_run(&decic, width_of(&o), height_of(&o), o.output);
     count(&decic.view, &results[SEED_DECIC]);
-    seed_print(results, censuses, &decic);
-    if (o.output) seed_write(results, censuses, &decic, o.output);
+    seed_report(results, censuses, &decic, o.output);
     seed_close(&decic.view);
     return 0;
 }

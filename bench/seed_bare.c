@@ -1,15 +1,13 @@
-/* seed_bare.c - see seed_bare.h: Descartes' rule of signs on Bernstein coefficients, halving from the left
+/* seed_bare.c - see seed.h: Descartes' rule of signs on Bernstein coefficients, halving from the left
  * (Lane, Riesenfeld, Bounds on a polynomial, BIT 21, 1981), in plain double.
  *
  * This is the inner loop of algsurf_isolate_first without what makes it trustworthy: bounds on the rounding
  * error of each sign, a second look in better precision where a bound does not decide, input of any scale,
  * roots at ends, checks of the arguments.
  */
-#include "seed_bare.h"
+#include "seed.h"
 
 #include <string.h>
-
-#include "seed_rays.h"
 
 enum { HALVINGS = 40 };
 static const double NARROW = 0x1p-39; /* [-1,1] after so many */

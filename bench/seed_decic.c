@@ -1,19 +1,19 @@
-/* seed_decic.c - see seed_decic.h; after figures 3 and 4 of Chuyeshov, Visualization of algebraic surfaces.
+/* seed_decic.c - see seed.h; after figures 3 and 4 of Chuyeshov, Visualization of algebraic surfaces.
  *
  * Where a bracket is flat at one end and steep at the other, false position creeps: the steep end never
  * moves.  What it makes of the decic depends on when it stops: never before the limit of 1000 iterations; at
  * |P| <= tolerance, as that paper has it, which is no statement about t; or, as the library does, when two
  * points agree within the tolerance, which they also do when it only is slow.
  */
-#include "seed_decic.h"
+#include "seed.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
 #include "image.h"
 #include "must.h"
+#include "rays.h"
 #include "results.h"
 
 static const double TOLERANCE = 1e-6;
@@ -70,17 +70,17 @@ static const uint8_t OFF[3] = {230, 159, 0}, VISIBLE[3] = {213, 0, 94}, BEHIND[3
 /* The surface's colour where the ray has the parameter x in [-1,1]. */
 static void shade(const seed_view *view, const algsurf_lighting *lighting, const seed_ray *ray, double x,
                   uint8_t pixel[3]) {
-    const catalogue_entry *entry = view->entry;
+    const char *name = view->entry->name;
     algsurf_ray chord;
     double point[3], gradient[3], value, colour[3], size = 0;
     if (!seed_chord(view, ray->pixel, &chord)) return;
     double t = 0.5 * (chord.t_min + chord.t_max) + 0.5 * (chord.t_max - chord.t_min) * x;
     for (int i = 0; i < 3; i++) point[i] = chord.origin[i] + t * chord.direction[i];
-    must(algsurf_surface_gradient(view->surface, point, &value, gradient, NULL, NULL), entry->name);
+    must(algsurf_surface_gradient(view->surface, point, &value, gradient, NULL, NULL), name);
     for (int i = 0; i < 3; i++) size += gradient[i] * gradient[i];
     for (int i = 0; i < 3; i++) gradient[i] = size > 0 ? gradient[i] / sqrt(size) : 0;
-    must(algsurf_shade(lighting, NULL, point, gradient, chord.direction, colour), entry->name);
-    must(algsurf_srgb_encode(colour, pixel), entry->name);
+    must(algsurf_shade(lighting, NULL, point, gradient, chord.direction, colour), name);
+    must(algsurf_srgb_encode(colour, pixel), name);
 }
 
 /* Pale grey for what is right. */
@@ -104,7 +104,7 @@ static void write_picture(const uint8_t *picture, int width, int height, const c
         size_t column = i % across / (size_t)by, row = i / across / (size_t)by;
         memcpy(large + 3 * i, picture + 3 * (row * (size_t)width + column), 3);
     }
-    FILE *file = results_create(folder, name);
+    FILE *file = results_open(folder, name, "wb");
     if (image_write(file, IMAGE_PNG, (int)across, (int)down, large)) cli_no_memory();
     results_finish(file, folder, name);
     free(large);
@@ -117,10 +117,7 @@ static void draw(const seed_decic *decic, const double *found, int marked, const
     uint8_t *picture = must_allocate(pixels, 3);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    algsurf_scene *scene;
-    must(algsurf_scene_create(view->surface, &scene), view->entry->name);
-    must(algsurf_scene_set_extent(scene, &view->entry->extent), view->entry->name);
-    must(algsurf_scene_set_camera(scene, &view->camera), view->entry->name);
+    algsurf_scene *scene = rays_scene(view->surface, &view->entry->extent, &view->camera);
     must(algsurf_scene_get_lighting(scene, lights, &lighting), view->entry->name);
     for (size_t i = 0; i < pixels; i++) memcpy(picture + 3 * i, BEHIND, 3);
     for (size_t i = 0; i < view->count; i++) {

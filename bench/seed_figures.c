@@ -1,26 +1,29 @@
-/* seed_figures.c - see seed_figures.h; after figures 5 and 8 of Chuyeshov, Visualization of algebraic
+/* seed_figures.c - see seed.h; after figures 5 and 8 of Chuyeshov, Visualization of algebraic
  * surfaces. That paper's polynomials are not known in digits: these are found among the rays of the pictures.
  */
-#include "seed_figures.h"
+#include "seed.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "results.h"
+#include "chart.h"
 
-/* ---- the curve ---- */
-
-enum { CURVE = 801 };
-
-typedef struct curve {
-    double x[CURVE], y[CURVE];
-} curve;
-
-static void trace(curve *to, const double *c, int degree, double lo, double hi) {
-    for (int i = 0; i < CURVE; i++) {
-        to->x[i] = lo + (hi - lo) * i / (CURVE - 1);
-        to->y[i] = seed_value(c, degree, to->x[i], NULL);
+/* P between two places. */
+static void draw_curve(chart *c, const double *p, int degree, double lo, double hi) {
+    enum { POINTS = 801 };
+    chart_series(c, "P along the ray", PLOT_LINE);
+    for (int i = 0; i < POINTS; i++) {
+        double x = lo + (hi - lo) * i / (POINTS - 1);
+        chart_point(c, x, seed_value(p, degree, x, NULL));
     }
+}
+
+/* From one place to another on the axis. */
+static void draw_axis(chart *c, const char *name, plot_mark mark, double lo, double hi) {
+    chart_series(c, name, mark);
+    chart_point(c, lo, 0);
+    if (hi > lo) chart_point(c, hi, 0);
 }
 
 /* ---- Newton's method ---- */
@@ -64,109 +67,75 @@ void seed_newton_census(const seed_view *view, seed_census *census) {
     }
 }
 
-/* From each point on the curve down its tangent, and from there to the curve. */
-static size_t tangents(const seed_newton *n, double *x, double *y) {
-    size_t count = 0;
-    for (int i = 0; i < n->count; i++) {
-        x[count] = n->x[i], y[count++] = i > 0 ? 0 : NAN;
-        x[count] = n->x[i], y[count++] = seed_value(n->ray.c, n->degree, n->x[i], NULL);
-    }
-    return count;
-}
-
 void seed_plot_newton(const seed_newton *n, const char *surface, const char *folder, const char *name) {
-    curve c;
-    double x[2 * SEED_STEPS + 2], y[2 * SEED_STEPS + 2], on[SEED_STEPS + 1], zero[2] = {0, 0};
-    double lo = n->ray.lo, hi = n->ray.hi, ends[2] = {n->ray.lo, n->ray.hi};
-    size_t path = tangents(n, x, y);
+    const seed_ray *ray = &n->ray;
+    double lo = ray->lo, hi = ray->hi;
+    chart c = {.plot.y.label = "P"};
     for (int i = 0; i < n->count; i++) {
-        on[i] = y[2 * i + 1];
         lo = fmin(lo, n->x[i]);
         hi = fmax(hi, n->x[i]);
     }
-    double margin = 0.05 * (hi - lo), axis[2] = {lo - margin, hi + margin};
-    trace(&c, n->ray.c, n->degree, axis[0], axis[1]);
-    const plot_series series[] = {{"P along the ray", PLOT_LINE, c.x, c.y, CURVE},
-                                  {"tangents, start in the middle of the bracket", PLOT_LINE, x, y, path},
-                                  {"first root (default method)", PLOT_POINTS, &n->ray.root, zero, 1},
-                                  {"Newton's points", PLOT_POINTS, n->x, on, (size_t)n->count},
-                                  {NULL, PLOT_LINE, axis, zero, 2},
-                                  {"bracket", PLOT_BOTH, ends, zero, 2}};
-    char title[160];
-    snprintf(title, sizeof title, "Newton's method catches the wrong root (%s)", surface);
-    const plot p = {
-        .title = title,
-        .x = {.label = "along the ray (half chords from its middle)", .lo = axis[0], .hi = axis[1]},
-        .y = {.label = "P"},
-        .series = series,
-        .count = sizeof series / sizeof *series};
-    results_plot(&p, 1, folder, name);
+    const double margin = 0.05 * (hi - lo), begin = lo - margin, end = hi + margin;
+    snprintf(c.title, sizeof c.title, "Newton's method catches the wrong root (%s)", surface);
+    c.plot.x = (plot_axis){.label = "along the ray (half chords from its middle)", .lo = begin, .hi = end};
+    draw_curve(&c, ray->c, n->degree, begin, end);
+    chart_series(&c, "tangents, start in the middle of the bracket", PLOT_LINE);
+    for (int i = 0; i < n->count; i++) { /* up to the curve, and down the tangent */
+        chart_point(&c, n->x[i], i > 0 ? 0 : NAN);
+        chart_point(&c, n->x[i], seed_value(ray->c, n->degree, n->x[i], NULL));
+    }
+    draw_axis(&c, "first root (default method)", PLOT_POINTS, ray->root, ray->root);
+    chart_series(&c, "Newton's points", PLOT_POINTS);
+    for (int i = 0; i < n->count; i++) chart_point(&c, n->x[i], seed_value(ray->c, n->degree, n->x[i], NULL));
+    draw_axis(&c, NULL, PLOT_LINE, begin, end);
+    draw_axis(&c, "bracket", PLOT_BOTH, ray->lo, ray->hi);
+    chart_write(&c, 1, folder, name);
 }
 
 /* ---- regula falsi ---- */
 
-enum { POINTS = 1000, STEP = 10, SHOWN = POINTS / STEP };
+enum { POINTS = 1000, STEP = 10 };
 
 /* The error after so many evaluations, for limits of iterations that grow: the methods need not tell their
- * points.  Returns how many. */
-static size_t approach(const seed_ray *ray, int degree, int m, double *evaluations, double *error) {
-    size_t count = 0;
+ * points. */
+static void draw_approach(chart *c, const seed_ray *ray, int degree, int m) {
+    int before = 0;
+    chart_series(c, seed_methods[m].name, PLOT_LINE);
     for (int most = 1; most <= POINTS; most += 1 + most / 40) {
         algsurf_refined_root root;
         if (m == SEED_REGULA_FALSI)
             (void)seed_false_position(ray->c, degree, ray->lo, ray->hi, 0, 0, most, &root);
         else
             (void)seed_solve(&seed_methods[m], ray->c, degree, ray->lo, ray->hi, 0, most, &root);
-        if (count > 0 && root.evaluations == (int)evaluations[count - 1]) break; /* done */
-        evaluations[count] = root.evaluations;
-        error[count++] = fmax(fabs(root.root - ray->root), 1e-16);
+        if (root.evaluations == before) break; /* done */
+        before = root.evaluations;
+        chart_point(c, before, fmax(fabs(root.root - ray->root), 1e-16));
     }
-    return count;
 }
 
-static void plot_approach(plot *p, const seed_ray *ray, int degree, double (*x)[POINTS], double (*y)[POINTS],
-                          plot_series *series) {
-    for (int m = 0; m < SEED_METHODS; m++) {
-        size_t count = approach(ray, degree, m, x[m], y[m]);
-        series[m] = (plot_series){seed_methods[m].name, PLOT_LINE, x[m], y[m], count};
-    }
-    *p = (plot){.title = "How fast the methods get there, same bracket",
-                .x = {.label = "evaluations of P", .scale = PLOT_LOG},
-                .y = {.label = "error (half chords)", .scale = PLOT_LOG},
-                .series = series,
-                .count = SEED_METHODS};
-}
-
-/* Every tenth point of plain false position: the end of the bracket that moves. */
-static void creep(const seed_ray *ray, int degree, double *x, double *y) {
-    for (int i = 0; i < SHOWN; i++) {
+/* Of plain false position: the end of the bracket that moves. */
+static void draw_creep(chart *c, const seed_ray *ray, int degree) {
+    chart_series(c, "every 10th of the first 1000 points of regula falsi", PLOT_POINTS);
+    for (int most = 1; most <= POINTS; most += STEP) {
         algsurf_refined_root root;
-        (void)seed_false_position(ray->c, degree, ray->lo, ray->hi, 0, 0, STEP * i + 1, &root);
-        x[i] = root.lo != ray->lo ? root.lo : root.hi;
-        y[i] = seed_value(ray->c, degree, x[i], NULL);
+        (void)seed_false_position(ray->c, degree, ray->lo, ray->hi, 0, 0, most, &root);
+        const double x = root.lo != ray->lo ? root.lo : root.hi;
+        chart_point(c, x, seed_value(ray->c, degree, x, NULL));
     }
 }
 
 void seed_plot_creep(const seed_ray *ray, int degree, const char *surface, const char *folder,
                      const char *name) {
-    static double x[SEED_METHODS][POINTS], y[SEED_METHODS][POINTS];
-    curve c;
-    double points[SHOWN], values[SHOWN], zero[2] = {0, 0}, ends[2] = {ray->lo, ray->hi};
-    plot_series approaches[SEED_METHODS];
-    char title[160];
-    trace(&c, ray->c, degree, ray->lo, ray->hi);
-    creep(ray, degree, points, values);
-    const plot_series series[] = {
-        {"P along the ray", PLOT_LINE, c.x, c.y, CURVE},
-        {"every 10th of the first 1000 points of regula falsi", PLOT_POINTS, points, values, SHOWN},
-        {"root", PLOT_POINTS, &ray->root, zero, 1},
-        {NULL, PLOT_LINE, ends, zero, 2}};
-    snprintf(title, sizeof title, "A polynomial that defeats regula falsi (%s)", surface);
-    plot column[2] = {{.title = title,
-                       .x = {.label = "along the ray, the bracket (half chords from its middle)"},
-                       .y = {.label = "P", .scale = PLOT_SYMLOG},
-                       .series = series,
-                       .count = sizeof series / sizeof *series}};
-    plot_approach(&column[1], ray, degree, x, y, approaches);
-    results_plot(column, 2, folder, name);
+    chart column[2] = {{.plot = {.x = {.label = "along the ray, the bracket (half chords from its middle)"},
+                                 .y = {.label = "P", .scale = PLOT_SYMLOG}}},
+                       {.plot = {.title = "How fast the methods get there, same bracket",
+                                 .x = {.label = "evaluations of P", .scale = PLOT_LOG},
+                                 .y = {.label = "error (half chords)", .scale = PLOT_LOG}}}};
+    snprintf(column[0].title, sizeof column[0].title, "A polynomial that defeats regula falsi (%s)", surface);
+    draw_curve(&column[0], ray->c, degree, ray->lo, ray->hi);
+    draw_creep(&column[0], ray, degree);
+    draw_axis(&column[0], "root", PLOT_POINTS, ray->root, ray->root);
+    draw_axis(&column[0], NULL, PLOT_LINE, ray->lo, ray->hi);
+    for (int m = 0; m < SEED_METHODS; m++) draw_approach(&column[1], ray, degree, m);
+    chart_write(column, 2, folder, name);
 }

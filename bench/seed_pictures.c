@@ -1,17 +1,16 @@
-/* seed_pictures.c - see seed_pictures.h.
+/* seed_pictures.c - see seed.h.
  *
  * The truth is the default method at full accuracy.  A pixel is right if its t is within ten tolerances (one
  * is the method's; near an outline rounding adds to it) and the renderer's own 2^-36 of the radius; where
  * doubles leave it open whether, or where, it shows the surface, any answer is.
  */
-#include "seed_pictures.h"
+#include "seed.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
-#include "measure.h"
 #include "must.h"
+#include "rays.h"
 
 static void render(seed_easel *easel, const algsurf_intersect_options *intersect, double *hits) {
     const seed_view *view = easel->view;
@@ -28,9 +27,7 @@ void seed_easel_open(seed_easel *easel, const seed_view *view) {
     easel->pixels = must_allocate(pixels, 3);
     easel->hits = must_allocate(pixels, sizeof *easel->hits);
     easel->truth = must_allocate(pixels, sizeof *easel->truth);
-    must(algsurf_scene_create(view->surface, &easel->scene), view->entry->name);
-    must(algsurf_scene_set_extent(easel->scene, &view->entry->extent), view->entry->name);
-    must(algsurf_scene_set_camera(easel->scene, &view->camera), view->entry->name);
+    easel->scene = rays_scene(view->surface, &view->entry->extent, &view->camera);
     render(easel, NULL, easel->truth);
 }
 

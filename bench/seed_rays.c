@@ -1,40 +1,24 @@
-/* seed_rays.c - see seed_rays.h.
+/* seed_rays.c - see seed.h.
  *
  * The root that methods are judged by is found by halving to the last digit, and then proved without regard
  * to how it was found: Descartes' rule, with bounds on all rounding, counts one root within so far of it; and
  * the bracket holds no other.
  */
-#include "seed_rays.h"
+#include "seed.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
 #include "must.h"
-#include "seed_bare.h"
+#include "rays.h"
 
 static const double FAR = 0x1p-34; /* a thousand times as far as any of the seven surfaces needs */
 
 int seed_chord(const seed_view *view, int pixel, algsurf_ray *chord) {
-    algsurf_ray ray;
-    int meets;
-    must(algsurf_camera_ray(&view->camera, view->width, view->height, pixel % view->width + 0.5,
-                            pixel / view->width + 0.5, &ray),
-         view->entry->name);
-    must(algsurf_ray_clip(&ray, &view->entry->extent, NULL, 0, chord, &meets), view->entry->name);
-    return meets && chord->t_min < chord->t_max;
-}
-
-/* The ray for which t in [-1,1] is the chord. */
-static algsurf_ray from_the_middle(const algsurf_ray *chord) {
-    algsurf_ray ray = {.t_min = -1, .t_max = 1};
-    double middle = 0.5 * (chord->t_min + chord->t_max), half = 0.5 * (chord->t_max - chord->t_min);
-    for (int i = 0; i < 3; i++) {
-        ray.origin[i] = chord->origin[i] + middle * chord->direction[i];
-        ray.direction[i] = half * chord->direction[i];
-    }
-    return ray;
+    const algsurf_ray ray =
+        rays_ray(&view->camera, view->width, view->height, pixel % view->width, pixel / view->width);
+    return rays_clip(&ray, &view->entry->extent, chord) && chord->t_min < chord->t_max;
 }
 
 static void prove_root(seed_ray *ray, int degree, const char *name) {
@@ -66,7 +50,7 @@ static void isolate(seed_view *view, seed_ray *ray) {
     algsurf_bracket bracket;
     int found, degree = view->entry->degree;
     algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, NULL, &bracket, &found);
-    if (status < 0) must(status, view->entry->name);
+    must_answer(status, view->entry->name);
     view->undecided += status > 0;
     ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED;
     if (!ray->bracketed) return;
@@ -79,17 +63,18 @@ static void isolate(seed_view *view, seed_ray *ray) {
 
 void seed_open(seed_view *view, const char *name, int width, int height) {
     const catalogue_entry *entry = catalogue_find(name);
-    *view = (seed_view){.entry = entry, .width = width, .height = height};
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &view->surface, NULL), name);
-    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &view->camera), name);
+    *view = (seed_view){.entry = entry,
+                        .width = width,
+                        .height = height,
+                        .surface = rays_surface(entry),
+                        .camera = rays_catalogue_camera(entry)};
     view->rays = must_allocate((size_t)width * (size_t)height, sizeof *view->rays);
     for (int pixel = 0; pixel < width * height; pixel++) {
         algsurf_ray chord;
         if (!seed_chord(view, pixel, &chord)) continue;
         seed_ray *ray = &view->rays[view->count++];
         ray->pixel = pixel;
-        chord = from_the_middle(&chord);
-        must(algsurf_expand_power(view->surface, &chord, ray->c, NULL), name);
+        rays_expand(view->surface, &chord, ray->c);
         isolate(view, ray);
     }
 }

@@ -1,4 +1,4 @@
-/* seed_rivals.c - see seed_rivals.h.
+/* seed_rivals.c - see seed.h.
  *
  * False position: the zero of the chord takes the place of the end with its sign.
  * Illinois: the same, but an end that stays a second time counts with half its value (Dowell, Jarratt, A
@@ -14,7 +14,7 @@
  * rounding.  They evaluate by Horner's rule in place; the library does so through a pointer, and also guards
  * the floating-point environment.
  */
-#include "seed_rivals.h"
+#include "seed.h"
 
 #include <float.h>
 #include <math.h>

@@ -8,18 +8,14 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "cli.h"
 #include "must.h"
 #include "results.h"
-#include "verified_roots_check.h"
-#include "verified_roots_report.h"
+#include "verified_roots.h"
 
 enum { POLYS = 400, QUICK_POLYS = 40, FEWER = 4 };
 
 typedef struct bench_options {
-    const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int polys, seed, tsv, quick;
 } bench_options;
@@ -48,7 +44,6 @@ static const cli_program program = {
              "contradict each other or the polynomial: one line on standard error, no table, exit\n"
              "status 1.",
     .options = options_table,
-    .positional = FIELD(extra),
 };
 
 /* ---- the solvers ---- */
@@ -204,9 +199,6 @@ static void clock_all(work *w, const family *f, tally *tallies) {
 static double percent(size_t part, size_t whole) { return floor(1e4 * (double)part / (double)whole) / 1e2; }
 
 static void fill_row(row *r, const family *f, const method *m, tally *t) {
-    measure_sort(t->width, t->boxes);
-    measure_sort(t->widest, t->polynomials);
-    measure_sort(t->seconds, t->polynomials);
     *r = (row){.degree = f->degree,
                .cluster = f->cluster,
                .gap = f->gap,
@@ -215,8 +207,8 @@ static void fill_row(row *r, const family *f, const method *m, tally *t) {
                .start = m->start,
                .complete = percent(t->complete, t->polynomials),
                .simple = percent(t->simple, t->roots),
-               .ulps50 = t->boxes > 0 ? measure_quantile(t->width, t->boxes, 0.5) : NAN,
-               .ulps99 = t->boxes > 0 ? measure_quantile(t->width, t->boxes, 0.99) : NAN,
+               .ulps50 = measure_quantile(t->width, t->boxes, 0.5),
+               .ulps99 = measure_quantile(t->width, t->boxes, 0.99),
                .widest = measure_quantile(t->widest, t->polynomials, 0.5),
                .us = 1e6 * measure_quantile(t->seconds, t->polynomials, 0.5)};
     snprintf(r->family, sizeof r->family, "%s", f->name);
@@ -302,19 +294,15 @@ static int run_more(work *w, const bench_options *o, measure_random *seeds, poly
 int main(int argc, char **argv) {
     bench_options o = {.seed = 1};
     work *w = must_allocate(1, sizeof *w);
-    cli_parse(&program, argc, argv, &o);
-    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    results_begin(&program, argc, argv, &o, &o.output);
     if (o.polys == 0) o.polys = o.quick ? QUICK_POLYS : POLYS;
-    if (o.output) results_folder(o.output);
     polynomial *p = must_allocate((size_t)o.polys, sizeof *p);
     row *rows = must_allocate(MAX_FAMILIES * METHODS, sizeof *rows);
     if (algsurf_complex_solver_create(ALGSURF_MAX_DEGREE, &w->solver) != ALGSURF_OK) cli_no_memory();
     measure_random seeds = {(uint64_t)o.seed};
     int count = run_usual(w, &o, &seeds, p, rows);
     if (o.output) count += run_more(w, &o, &seeds, p, rows + count);
-    report_table(rows, count, o.seed, o.tsv);
-    cli_finish_output();
-    if (o.output) report_files(rows, count, o.output);
+    report(rows, count, o.seed, o.tsv, o.output);
     algsurf_complex_solver_free(w->solver);
     free(rows);
     free(p);

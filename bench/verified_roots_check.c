@@ -1,4 +1,4 @@
-/* verified_roots_check.c - see verified_roots_check.h.
+/* verified_roots_check.c - see verified_roots.h.
  *
  * Whatever the order in which the factors X - box are multiplied, the product holds p when the boxes hold
  * the roots; but intervals that grow on the way would hide a wrong root.  Two things make them grow.  A
@@ -8,7 +8,7 @@
  * taken in Leja's order, each as far as can be from all before it (Reichel, Newton interpolation at Leja
  * points, 1990), in which neighbours, and so the roots of each part, lie spread around.
  */
-#include "verified_roots_check.h"
+#include "verified_roots.h"
 
 #include <math.h>
 

@@ -1,16 +1,15 @@
-/* verified_roots_input.c - see verified_roots_input.h.
+/* verified_roots_input.c - see verified_roots.h.
  *
- * A ray is re-centred before it is expanded: its origin becomes the middle of the chord, its direction half
- * the chord.  The neighbour is the ray one pixel to the left; its roots are brought to the variable of the
+ * The neighbour is the ray one pixel to the left; its roots are brought to the variable of the
  * ray by way of the distance from the eye, which both measure alike.
  */
-#include "verified_roots_input.h"
+#include "verified_roots.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli.h"
 #include "must.h"
+#include "rays.h"
 
 enum { WIDTH = 1024, HEIGHT = 768, TRIES = 1000 };
 
@@ -32,19 +31,12 @@ typedef struct chord {
 
 /* The polynomial along the ray of a pixel; 0 when the ray has no chord or the polynomial no roots. */
 static int expand_pixel(const view *v, int x, int y, chord *on, polynomial *p) {
-    algsurf_ray ray;
+    algsurf_ray ray = rays_ray(&v->camera, WIDTH, HEIGHT, x, y);
     double c[ALGSURF_MAX_DEGREE + 1];
-    int meets;
-    must(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), "ray");
-    must(algsurf_ray_clip(&ray, v->extent, NULL, 0, &ray, &meets), "extent");
-    if (!meets || !(ray.t_min < ray.t_max)) return 0;
+    if (!rays_clip(&ray, v->extent, &ray) || !(ray.t_min < ray.t_max)) return 0;
     on->middle = 0.5 * (ray.t_min + ray.t_max);
     on->half = 0.5 * (ray.t_max - ray.t_min);
-    for (int i = 0; i < 3; i++) {
-        ray.origin[i] += on->middle * ray.direction[i];
-        ray.direction[i] *= on->half;
-    }
-    must(algsurf_expand_power(v->surface, &ray, c, NULL), "expansion");
+    rays_expand(v->surface, &ray, c);
     p->degree = algsurf_surface_degree(v->surface);
     for (int k = 0; k <= p->degree; k++) p->c[k] = (algsurf_complex){c[k], 0};
     while (p->degree > 0 && c[p->degree] == 0) p->degree--;
@@ -92,11 +84,8 @@ static void polynomial_of_ray(const view *v, measure_random *random, polynomial 
 }
 
 void polynomials_of_rays(const catalogue_entry *entry, measure_random *random, polynomial *p, int count) {
-    algsurf_surface *surface;
-    view v = {.extent = &entry->extent};
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
-    v.surface = surface;
-    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &v.camera), entry->name);
+    algsurf_surface *surface = rays_surface(entry);
+    const view v = {surface, &entry->extent, rays_catalogue_camera(entry)};
     for (int i = 0; i < count; i++) polynomial_of_ray(&v, random, &p[i]);
     algsurf_surface_free(surface);
 }

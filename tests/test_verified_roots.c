@@ -10,7 +10,7 @@
  *   the neighbour's roots left in its own variable, or not sorted                   neighbours_are_near
  */
 #include "unit.h"
-#include "verified_roots_check.h"
+#include "verified_roots.h"
 
 static const uint64_t SEED = 20241;
 

@@ -1,7 +1,9 @@
-/* pictures_draw.h - one surface as pictures shows it: drawn in different ways, judged, and timed. */
-#ifndef PICTURES_DRAW_H
-#define PICTURES_DRAW_H
+/* pictures.h - one surface as pictures shows it, drawn in different ways, judged, and timed; what is told of
+ * that. */
+#ifndef PICTURES_H
+#define PICTURES_H
 #include "catalogue.h"
+#include "measure.h"
 
 /* What a picture owes to the reference: the fastest kernel's, one thread, certified tier, standard quality.
  */
@@ -29,13 +31,6 @@ typedef struct manner {
     duty duty;
 } manner;
 
-enum { PART_ALL, PART_EXPAND, PART_SOLVE, PART_POINT, PART_SHADOW, PART_SHADE, PARTS };
-
-typedef struct drawing {
-    int threads;           /* used */
-    double seconds[PARTS]; /* PART_ALL: on the wall, of the call; the others: summed over threads */
-} drawing;
-
 typedef struct stage stage;
 
 /* The surface in its view, and the reference, drawn.  Ends the program when that cannot be had. */
@@ -46,6 +41,37 @@ size_t stage_rays(const stage *s); /* rays through the middle of a pixel that me
 size_t stage_hits(const stage *s); /* of the reference */
 
 /* Draws.  Returns null, or how the picture fails its duty, a static text. */
-const char *stage_draw(stage *s, const manner *m, drawing *d);
+const char *stage_draw(stage *s, const manner *m, algsurf_render_stats *stats);
+
+/* ---- what is told ---- */
+
+enum { MAX_KERNELS = 8, MAX_MANNERS = 2 * MAX_KERNELS + 8 };
+
+/* Of a picture's time: PART_ALL is that of the call, on the wall; the others are summed over threads. */
+enum { PART_ALL, PART_EXPAND, PART_SOLVE, PART_POINT, PART_SHADOW, PART_SHADE, PARTS };
+
+/* First the kernels, the fastest first, then their floors in the same order, then the others. */
+typedef struct plan {
+    manner manner[MAX_MANNERS];
+    int kernels, count;
+} plan;
+
+/* A surface, drawn in all of them. */
+typedef struct result {
+    const catalogue_entry *entry;
+    size_t rays, hits;
+    int threads[MAX_MANNERS];
+    measure_takes takes[MAX_MANNERS][PARTS];
+} result;
+
+typedef struct report {
+    const plan *plan;
+    const result *results;
+    int surfaces, width, height, repeat;
+} report;
+
+/* The tables on standard output; into the folder, unless it is null, pictures.csv, pictures_floor.csv,
+ * pictures.svg. Ends the program when they cannot be written. */
+void report_all(const report *r, int tsv, const char *folder);
 
 #endif
