@@ -15,6 +15,7 @@ static const double FEW = 4;
 struct ways {
     const view *view;
     algsurf_scene *scene;
+    algsurf_ray_packet packet;
     unsigned char *state;                          /* the answer of each ray: an algsurf_hit_state */
     double *t, *lo, *hi, *position[3], *normal[3]; /* where; lo and hi are not of a picture's */
     double *error, *picture_hits;
@@ -34,6 +35,8 @@ ways *ways_open(const view *v) {
         w->position[k] = room + (4 + k) * n;
         w->normal[k] = room + (7 + k) * n;
     }
+    w->packet = rays_packet(v->ray, n);
+    w->packet.t_min = w->packet.t_max = NULL;
     w->state = must_allocate(n, 1);
     w->picture_hits = must_allocate(pixels, sizeof(double));
     w->pixels = must_allocate(pixels, 3);
@@ -44,6 +47,7 @@ ways *ways_open(const view *v) {
 
 void ways_close(ways *w) {
     algsurf_scene_free(w->scene);
+    rays_packet_free(&w->packet);
     free(w->t);
     free(w->state);
     free(w->picture_hits);
@@ -82,18 +86,15 @@ static double run_singly(ways *w, const setting *s) {
 static double run_together(ways *w, const setting *s) {
     const view *v = w->view;
     const algsurf_intersect_options options = options_of(s);
-    algsurf_ray_packet rays = {
-        .size = sizeof rays, .count = v->count, .step = sizeof *v->ray / sizeof(double)};
     algsurf_hit_packet hits = {
         .size = sizeof hits, .state = w->state, .t = w->t, .t_lo = w->lo, .t_hi = w->hi};
     for (int k = 0; k < 3; k++) {
-        rays.origin[k] = &v->ray->origin[k];
-        rays.direction[k] = &v->ray->direction[k];
         hits.position[k] = w->position[k];
         hits.normal[k] = w->normal[k];
     }
     double begun = measure_cpu();
-    algsurf_status status = algsurf_intersect_packet(v->surface, &v->entry->extent, &rays, &options, &hits);
+    algsurf_status status =
+        algsurf_intersect_packet(v->surface, &v->entry->extent, &w->packet, &options, &hits);
     double seconds = measure_cpu() - begun;
     must(status, w->view->entry->name);
     return seconds / (double)v->count;

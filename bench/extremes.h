@@ -19,8 +19,9 @@ typedef struct scene {
     algsurf_extent extent;
     size_t count;
     algsurf_ray *ray;
-    unsigned char *expected; /* an algsurf_hit_state that is known from how the ray was made; UNDECIDED: it
-                                is not */
+    algsurf_ray_packet packet; /* the same rays */
+    unsigned char *expected;   /* an algsurf_hit_state that is known from how the ray was made; UNDECIDED: it
+                                  is not */
 } scene;
 
 typedef struct sweep {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "must.h"
+#include "rays.h"
 
 #define VALUES(array) array, sizeof array / sizeof *array
 
@@ -118,11 +119,13 @@ void scene_make(const sweep *from, int point, int variant, size_t count, int see
     *s = (scene){
         .count = count, .ray = must_allocate(count, sizeof *s->ray), .expected = must_allocate(count, 1)};
     from->make(variant, from->values[point], &random, s);
+    s->packet = rays_packet(s->ray, count);
 }
 
 void scene_free(scene *s) {
     algsurf_surface_free(s->surface);
     free(s->terms);
     free(s->ray);
+    rays_packet_free(&s->packet);
     free(s->expected);
 }

@@ -157,16 +157,9 @@ truth scene_truth(const scene *s, size_t i, const answers *certified) {
 const char *const manner_names[MANNERS] = {"bounded", "certified", "packet"};
 
 static int ask_packet(const scene *s, const answers *a) {
-    algsurf_ray_packet rays = {.size = sizeof rays,
-                               .count = s->count,
-                               .t_min = &s->ray->t_min,
-                               .t_max = &s->ray->t_max,
-                               .step = sizeof *s->ray / sizeof(double)};
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->t, .t_lo = a->t_lo, .t_hi = a->t_hi};
-    for (int k = 0; k < 3; k++)
-        rays.origin[k] = &s->ray->origin[k], rays.direction[k] = &s->ray->direction[k];
-    return algsurf_intersect_packet(s->surface, &s->extent, &rays, NULL, &hits) == ALGSURF_OK;
+    return algsurf_intersect_packet(s->surface, &s->extent, &s->packet, NULL, &hits) == ALGSURF_OK;
 }
 
 int scene_ask(const scene *s, manner m, const answers *a) {

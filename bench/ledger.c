@@ -101,7 +101,8 @@ typedef struct shots {
     const algsurf_surface *surface;
     const algsurf_extent *extent;
     algsurf_ray ray[RAYS];
-    int packet;
+    algsurf_ray_packet packet;
+    int together;
 } shots;
 
 static void shoot(void *data) {
@@ -110,11 +111,9 @@ static void shoot(void *data) {
     const shots *s = data;
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
-    algsurf_ray_packet rays = {.size = sizeof rays, .count = RAYS, .step = sizeof *s->ray / sizeof(double)};
-    for (int k = 0; k < 3; k++)
-        rays.origin[k] = &s->ray->origin[k], rays.direction[k] = &s->ray->direction[k];
-    if (s->packet) must_answer(algsurf_intersect_packet(s->surface, s->extent, &rays, &how, &hits), "packet");
-    for (int i = 0; i < RAYS && !s->packet; i++) {
+    if (s->together)
+        must_answer(algsurf_intersect_packet(s->surface, s->extent, &s->packet, &how, &hits), "packet");
+    for (int i = 0; i < RAYS && !s->together; i++) {
         algsurf_hit hit;
         must_answer(algsurf_intersect_first(s->surface, s->extent, &s->ray[i], &how, &hit), "ray");
     }
@@ -128,12 +127,15 @@ static double time_rays(const char *name, int kind) {
     measure_random random = {7};
     s.surface = surface;
     s.extent = kind >= ENDLESS ? NULL : &entry->extent;
-    s.packet = kind == PACKET || kind == SQUARED || kind == ENDLESS_PACKET;
+    s.together = kind == PACKET || kind == SQUARED || kind == ENDLESS_PACKET;
     for (int i = 0; i < RAYS; i++)
         must_answer(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
                                        measure_uniform(&random, 0, 768), &s.ray[i]),
                     name);
+    s.packet = rays_packet(s.ray, RAYS);
+    s.packet.t_min = s.packet.t_max = NULL;
     const double seconds = least_of(shoot, &s);
+    rays_packet_free(&s.packet);
     algsurf_surface_free(surface);
     return seconds / RAYS;
 }

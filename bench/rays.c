@@ -6,6 +6,7 @@
 #include "rays.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "measure.h"
 #include "must.h"
@@ -61,6 +62,21 @@ int rays_clip(const algsurf_ray *ray, const algsurf_extent *extent, algsurf_ray 
     must(algsurf_ray_clip(ray, extent, NULL, 0, chord, &meets), "extent");
     return meets;
 }
+
+algsurf_ray_packet rays_packet(const algsurf_ray *rays, size_t count) {
+    double *room = must_allocate(8 * count, sizeof *room), *t_min = room + 6 * count, *t_max = t_min + count;
+    algsurf_ray_packet p = {.size = sizeof p, .count = count, .t_min = t_min, .t_max = t_max};
+    for (size_t k = 0; k < 3; k++) {
+        double *origin = room + k * count, *direction = room + (3 + k) * count;
+        for (size_t i = 0; i < count; i++) origin[i] = rays[i].origin[k], direction[i] = rays[i].direction[k];
+        p.origin[k] = origin;
+        p.direction[k] = direction;
+    }
+    for (size_t i = 0; i < count; i++) t_min[i] = rays[i].t_min, t_max[i] = rays[i].t_max;
+    return p;
+}
+
+void rays_packet_free(const algsurf_ray_packet *packet) { free((void *)packet->origin[0]); }
 
 void rays_expand(const algsurf_surface *surface, const algsurf_ray *chord, double *c) {
     const double middle = 0.5 * (chord->t_min + chord->t_max), half = 0.5 * (chord->t_max - chord->t_min);

@@ -30,6 +30,10 @@ algsurf_ray rays_ray(const algsurf_camera *camera, int width, int height, int x,
 /* What of a ray is inside the extent; returns 0 when that is nothing. */
 int rays_clip(const algsurf_ray *ray, const algsurf_extent *extent, algsurf_ray *chord);
 
+/* Rays as a packet takes them fastest, in arrays of their own; and the end of these. */
+algsurf_ray_packet rays_packet(const algsurf_ray *rays, size_t count);
+void rays_packet_free(const algsurf_ray_packet *packet);
+
 /* P along the chord, which becomes [-1,1]: degree + 1 coefficients, lowest first. */
 void rays_expand(const algsurf_surface *surface, const algsurf_ray *chord, double *c);
 
