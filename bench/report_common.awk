@@ -20,6 +20,11 @@ function median(list, n,   i, j, x) {
     }
     return n % 2 ? list[(n + 1) / 2] : (list[n / 2] + list[n / 2 + 1]) / 2
 }
+function note(what, x, at) { # the least and the largest of it, and at which they are
+    if (!(what in least) || x + 0 < least[what] + 0) { least[what] = x; least_at[what] = at }
+    if (!(what in most) || x + 0 > most[what] + 0) { most[what] = x; most_at[what] = at }
+}
+function range(what) { return number(least[what]) " to " number(most[what]) }
 function times(x) { return sprintf(x < 10 ? "%.2fx" : x < 100 ? "%.1fx" : "%.0fx", x) }
 function head(name,   i, k, pair) { # in words, if heads, "name=words;name=words", has any
     if (!told_heads++)

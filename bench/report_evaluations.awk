@@ -1,14 +1,12 @@
 # report_evaluations.awk - what bench/report says of seed_evaluations.csv.
 {
-    way = $(c("method")); surface = $(c("surface")); share = $(c("brackets")) / $(c("rays"))
+    way = $(c("method")); surface = $(c("surface"))
     if (!(way in sum)) ways[++n] = way
-    if (!(surface in mean)) {
-        mean[surface] = $(c("width")); surfaces[++m] = surface
+    if (!(surface in seen)) {
+        surfaces[++m] = surface; seen[surface]
         expected += 2 + log($(c("width")) / 2e-7) / log(2) + 0.5 # rounded up: half a step, on average
-        if (m == 1 || mean[surface] < narrow) narrow = mean[surface]
-        if (mean[surface] + 0 > wide) wide = mean[surface]
-        if (m == 1 || share < few) few = share
-        if (share > many) many = share
+        note("width", $(c("width")))
+        note("share", 100 * $(c("brackets")) / $(c("rays")))
     }
     sum[way] += $(c("a_root")); sum_ray[way] += $(c("a_ray")); each[way, surface] = $(c("a_root"))
 }
@@ -36,14 +34,13 @@ function mixed(   i, text) { # surfaces with another order than overall
 END {
     print "Counted from the bracket that isolation leaves until half of it is at most 1e-7, both ends"
     printf "included; "
-    printf "lengths are in half chords (a ray inside the extent is 2 long), and brackets %s to %s wide, ",
-        number(narrow), number(wide)
+    printf "lengths are in half chords (a ray inside the extent is 2 long), and brackets %s wide, ", range("width")
     print "geometric mean by surface."
     printf "For each root, mean over surfaces:%s.\n", list_of(sum)
     printf "Bisection has no choice: 2 + log2(width / 2e-7), rounded up, is %.1f for these widths.\n\n",
         expected / m
     printf "Averaged over all rays that meet the extent instead, of which %.0f to %.0f %% have a ",
-        100 * few, 100 * many
+        least["share"], most["share"]
     printf "bracket and the\nothers cost nothing here:%s. Counts *a ray*\n", list_of(sum_ray)
     print "compare with these, counts *a root* with those above; both depend on the view.\n"
     for (i = 1; i <= n; i++)

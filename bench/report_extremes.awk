@@ -4,7 +4,7 @@
     if (!(at in rays)) { sweeps[++n] = at; rays[at] = 0 }
     if (how == "certified") {
         rays[at] += $(c("rays")); all += $(c("rays"))
-        if ($(c("error_max")) + 0 > worst[at]) worst[at] = $(c("error_max"))
+        note(at, $(c("error_max")))
     }
     left[how, at] += $(c("undecided")); lefts[how] += $(c("undecided"))
 }
@@ -19,7 +19,7 @@ END {
     for (i = 1; i <= n; i++) {
         at = sweeps[i]
         printf "| %s | %d | %d | %d | %s |\n", at, rays[at], left["bounded", at], left["certified", at],
-            number(worst[at] + 0)
+            number(most[at] + 0)
     }
     print "\nThe error of t is in units of u kappa |t|, u = 2^-53: what rounding the coefficients and t alone"
     print "may change."

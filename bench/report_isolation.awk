@@ -1,9 +1,4 @@
 # report_isolation.awk - what bench/report says of seed_isolation.csv.
-function note(what, x) {
-    if (!(what in least) || x + 0 < least[what] + 0) least[what] = x
-    if (x + 0 > most[what] + 0) most[what] = x
-}
-function range(what) { return number(least[what]) " to " number(most[what]) }
 {
     note("proved", $(c("isolation_ns"))); note("bare", $(c("bare_ns"))); wrong += $(c("bare_wrong"))
     note("idle", $(c("idle_ns"))); note("rival", $(c("rival_idle_ns")))

@@ -5,7 +5,7 @@ $(c("cluster")) == "" { # clusters are told by their chart
     count[who]++
     whole[who] += $(c("complete%"))
     ulps[who, count[who]] = $(c("ulps50%"))
-    if (who == "robust cold") names[++n] = name
+    if (who == "robust cold") { names[++n] = name; note("us", us[who, name], name) }
 }
 function ratio(who, other,   i, k, list) { # median over what both have solved
     for (i = 1; i <= n; i++)
@@ -19,13 +19,9 @@ function width(who,   i, list) {
 }
 function told(name) { return number(us["robust cold", name]) " us (" name ", degree " degree[name] ")" }
 END {
-    low = high = names[1]
-    for (i = 2; i <= n; i++) {
-        if (us["robust cold", names[i]] + 0 < us["robust cold", low] + 0) low = names[i]
-        if (us["robust cold", names[i]] + 0 > us["robust cold", high] + 0) high = names[i]
-    }
-    printf "All complex roots of a polynomial in boxes that are proved to hold them, from %s ", told(low)
-    printf "to %s: complete for %.4g %% of the polynomials, ", told(high),
+    printf "All complex roots of a polynomial in boxes that are proved to hold them, from %s ",
+        told(least_at["us"])
+    printf "to %s: complete for %.4g %% of the polynomials, ", told(most_at["us"]),
         whole["robust cold"] / count["robust cold"]
     printf "width of the boxes in units in the last place, median: %s.\n", width("robust cold")
     printf "The algorithm of Sanjuan-Estrada, Casado and Garcia takes %s as long, ",
