@@ -126,8 +126,8 @@ static double ns_of(const record *r, const choice *c) {
 
 void report_advice(const record *records, int count) {
     size_t rays = 0, undecided = 0, wrong = 0;
-    int settled[3] = {
-        0}; /* by method: the largest index of a tolerance from which on pictures do not change */
+    /* By method: the largest index of a tolerance from which on pictures do not change, and that in words. */
+    int settled[3] = {0};
     char at[3][CELL];
     printf("\nWhat a choice costs, as a ratio of times, over the surfaces above:\n");
     for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++) {

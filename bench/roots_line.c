@@ -189,14 +189,12 @@ static void judge(const roots_solver *s, const roots_solver *first, contest_row 
     }
 }
 
-static const roots_contest isolated = {"isolated", "us", isolators, sizeof isolators / sizeof *isolators,
-                                       judge,      1},
-                           counted = {"counted", "us", counters, sizeof counters / sizeof *counters,
-                                      judge,     1};
-
+/* In both, and the end of the set. */
 static void contend(roots_set *on, const roots_effort *effort, contest_table *table) {
-    roots_contend(&isolated, on, effort, table);
-    roots_contend(&counted, on, effort, table);
+    static const roots_contest contests[2] = {
+        {"isolated", "us", isolators, sizeof isolators / sizeof *isolators, judge, 1},
+        {"counted", "us", counters, sizeof counters / sizeof *counters, judge, 1}};
+    for (int k = 0; k < 2; k++) roots_contend(&contests[k], on, effort, table);
     roots_set_free(on);
 }
 

@@ -76,6 +76,7 @@ static void solve(void *self, size_t begin, size_t end) {
     for (size_t i = begin; i < end; i += step) s->solve(s, i, end - i < step ? end : i + step);
 }
 
+/* With room for its answers. */
 static roots_solver enter(const roots_solver *entered, const roots_set *on) {
     const size_t all = on->count * (size_t)on->degree;
     roots_solver s = *entered;
