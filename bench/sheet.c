@@ -32,6 +32,7 @@ static void put_cell(FILE *to, const sheet_column *c, form f, int first, const c
     int is_nan =
         (length == 3 && memcmp(cell, "nan", 3) == 0) || (length == 4 && memcmp(cell, "-nan", 4) == 0);
     if (is_nan || (f == TEXT && length == 0)) cell = "-", length = 1;
+    if (f == CSV && memchr(cell, ',', length)) cli_fail(CLI_BROKEN, "a comma in the cell %s", cell);
     fprintf(to, "%s%*.*s", first ? "" : between[f], f == TEXT ? c->width : 0, (int)length, cell);
 }
 
