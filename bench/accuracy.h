@@ -1,6 +1,4 @@
-/* accuracy.h - what the parts of the benchmark accuracy share: the truth about rays, ways to answer them,
- * what is told.
- */
+/* accuracy.h - what the parts of the benchmark accuracy share. */
 #ifndef ACCURACY_H
 #define ACCURACY_H
 #include "catalogue.h"

@@ -5,7 +5,7 @@
 
 enum { CHART_MOST_SERIES = 8, CHART_MOST_PLACES = 64 };
 
-/* To be set: `plot`, but for series and names. */
+/* `plot` is to be set, but for series and names, which the functions below fill. */
 typedef struct chart {
     plot plot;
     char title[160]; /* a title that is made */
@@ -27,8 +27,7 @@ void chart_bar(chart *c, const char *place, double y); /* over a place of the x 
 /* Lets the axes end at the least and the largest number over and times so many; 0: that one as it is. */
 void chart_margins(chart *c, double x_times, double y_times);
 
-/* Writes charts, one below the other, into the folder, unless that is null.  Nothing is left of their points.
- */
+/* Writes charts, one below the other, into the folder unless it is null; frees their points. */
 void chart_write(chart *charts, size_t count, const char *folder, const char *name);
 
 #endif

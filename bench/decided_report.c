@@ -39,8 +39,10 @@ static void draw_times(chart *c, int group, const char *other, const finding *f,
     c->plot.x.label = "degree of the surface";
     c->plot.y = (plot_axis){.label = y, .scale = PLOT_LOG};
     c->plot.height = 400;
-    snprintf(c->title, sizeof c->title, other ? "What it costs %.40s: %s" : "What it costs to decide%.0s %s",
-             other ? other : "", groups[group].what);
+    if (other)
+        snprintf(c->title, sizeof c->title, "What it costs %.40s: %s", other, groups[group].what);
+    else
+        snprintf(c->title, sizeof c->title, "What it costs to decide %s", groups[group].what);
     for (int k = 0; k < IN_GROUP; k++) {
         const kind which = groups[group].kinds[k];
         chart_series(c, kind_names[which], PLOT_BOTH);

@@ -24,8 +24,8 @@ enum { PIXELS = PEERS_WIDTH * PEERS_HEIGHT };
 
 typedef enum artist { USUAL, THIN_NONE, SURF, SURF_EMPTY, POVRAY, POVRAY_STURM, ARTISTS } artist;
 
-static const char *const artist_name[ARTISTS] = {
-    "algsurf", "algsurf thin none", "surf-alggeo", "surf, empty", "POV-Ray", "POV-Ray sturm"};
+static const char *const artist_name[ARTISTS] = {"algsurf",     "algsurf thin none", "surf-alggeo",
+                                                 "surf, empty", "POV-Ray",           "POV-Ray sturm"};
 
 typedef struct studio {
     const peers_programs *programs;

@@ -171,14 +171,14 @@ static void report(const bench_options *o, int widths, measured (*found)[MOST_WI
     static char machine[512];
     sheet table = SHEET(columns);
     plot_axis across = {.label = "width of the picture (pixels)"};
-    chart charts[] = {{.plot = {"What a ray costs, by resolution",
-                                machine,
-                                across,
-                                {.label = "time of a ray (ns)", .scale = PLOT_LOG}}},
-                      {.plot = {"Rays that no tile decides",
-                                "100 %: the picture is drawn without tiles, row by row",
-                                across,
-                                {.label = "% of the rays", .scale = PLOT_LOG}}}};
+    chart charts[] = {{.plot = {.title = "What a ray costs, by resolution",
+                                .subtitle = machine,
+                                .x = across,
+                                .y = {.label = "time of a ray (ns)", .scale = PLOT_LOG}}},
+                      {.plot = {.title = "Rays that no tile decides",
+                                .subtitle = "100 %: the picture is drawn without tiles, row by row",
+                                .x = across,
+                                .y = {.label = "% of the rays", .scale = PLOT_LOG}}}};
     measure_machine(machine, sizeof machine);
     for (int i = 0; i < o->surfaces.count; i++) {
         const catalogue_entry *entry = o->surfaces.entry[i];

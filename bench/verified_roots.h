@@ -1,5 +1,4 @@
-/* verified_roots.h - what the parts of the benchmark verified_roots share; its test uses the first two, too.
- */
+/* verified_roots.h - what the parts of the benchmark verified_roots share; its test uses two of them. */
 #ifndef VERIFIED_ROOTS_H
 #define VERIFIED_ROOTS_H
 #include "catalogue.h"
