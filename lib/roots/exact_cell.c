@@ -78,28 +78,23 @@ int algsurf_exact_variations(const algsurf_exact_cell *cell) {
     return count;
 }
 
-/* a = from 2^shift, 0 <= shift < 64. */
-static inline void shifted(algsurf_limb *a, const algsurf_limb *from, int w, int shift) {
-    algsurf_limb low = 0;
-    for (int k = 0; k < w; k++) {
-        algsurf_limb limb = from[k];
-        a[k] = shift ? limb << shift | low : limb;
-        low = shift ? limb >> (64 - shift) : 0;
-    }
-}
-
+/* a = from 2^shift. */
 static inline void shift_into(algsurf_limb *a, const algsurf_limb *from, int w, int shift) {
-    if (shift < 64) {
-        shifted(a, from, w, shift);
-    } else {
+    algsurf_limb low = 0;
+    if (shift == 0 || shift >= 64) {
         algsurf_z_copy(a, w, from, w);
         algsurf_z_shift_up(a, w, shift);
+        return;
+    }
+    for (int k = 0; k < w; k++) {
+        algsurf_limb limb = from[k];
+        a[k] = limb << shift | low;
+        low = limb >> (64 - shift);
     }
 }
 
 /* The two halves of `right`, which becomes the right one. */
-static inline __attribute__((always_inline)) void casteljau(algsurf_limb *left, algsurf_limb *right, int n,
-                                                            int w) {
+static void casteljau(algsurf_limb *left, algsurf_limb *right, int n, int w) {
     for (int i = 0; i <= n; i++) {
         algsurf_limb *a = right;
         shift_into(left + (size_t)i * (size_t)w, right, w, n - i);
@@ -109,23 +104,6 @@ static inline __attribute__((always_inline)) void casteljau(algsurf_limb *left, 
         }
         if (i < n) shift_into(a, a, w, n - i);
     }
-}
-
-/* With the width known to the compiler the sums are chains without a loop. */
-static void halve_block(algsurf_limb *left, algsurf_limb *right, int n, int w) {
-    w == 1    ? casteljau(left, right, n, 1)
-    : w == 2  ? casteljau(left, right, n, 2)
-    : w == 3  ? casteljau(left, right, n, 3)
-    : w == 4  ? casteljau(left, right, n, 4)
-    : w == 5  ? casteljau(left, right, n, 5)
-    : w == 6  ? casteljau(left, right, n, 6)
-    : w == 7  ? casteljau(left, right, n, 7)
-    : w == 8  ? casteljau(left, right, n, 8)
-    : w == 9  ? casteljau(left, right, n, 9)
-    : w == 10 ? casteljau(left, right, n, 10)
-    : w == 11 ? casteljau(left, right, n, 11)
-    : w == 12 ? casteljau(left, right, n, 12)
-              : casteljau(left, right, n, w);
 }
 
 /* position += 2^bit. */
@@ -142,7 +120,7 @@ static int halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell
     *left = *cell;
     left->begin = algsurf_memory_here(m);
     if (!take_block(m, left, cell->b.width, cell->position_width)) return 0;
-    halve_block(left->b.c, cell->b.c, n, cell->b.width);
+    casteljau(left->b.c, cell->b.c, n, cell->b.width);
     left->bits = cell->bits += n;
     left->variations = algsurf_exact_variations(left);
     cell->variations = algsurf_exact_variations(cell);
