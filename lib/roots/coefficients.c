@@ -39,22 +39,6 @@ int algsurf_i_scale(const algsurf_i_coefficients *p, int unit, double *c, double
     return common;
 }
 
-/* |t| <= 2 max |c_k / c_n|^(1/(n-k)) (Fujiwara 1916).  |c_k| + r_k is below 2^(i+2), i the exponent of the
- * larger one; |c_n| - r_n, rounded, is at most twice too large. */
-int algsurf_i_root_bound(const algsurf_i_coefficients *p) {
-    int n = p->degree, bound = -1000, radii = p->r != NULL;
-    double lead = fabs(p->c[n]) - (radii ? p->r[n] : 0);
-    if (!(lead > 0)) return 1024;
-    int least = ilogb(lead) - radii;
-    for (int k = 0; k < n; k++) {
-        double size = radii ? fmax(fabs(p->c[k]), p->r[k]) : fabs(p->c[k]);
-        if (!(size > 0)) continue;
-        int e = ilogb(size) + 1 + radii - least;
-        if (e > (n - k) * bound) bound = e > 0 ? (e + n - k - 1) / (n - k) : -(-e / (n - k));
-    }
-    return bound + 1;
-}
-
 /* q at N 2^-r, and Newton's step from there. */
 static int exact_step(algsurf_memory *m, const algsurf_zpoly *q, algsurf_limb N, int r, algsurf_i_value *v) {
     algsurf_zpoly d;

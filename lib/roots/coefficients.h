@@ -47,9 +47,6 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);
  * underflow may have lost. */
 int algsurf_i_scale(const algsurf_i_coefficients *p, int unit, double *c, double *r);
 
-/* An exponent e so that all roots are below 2^e; above 1023 where there is none. */
-int algsurf_i_root_bound(const algsurf_i_coefficients *p);
-
 /* A value p(x): its exact sign; size 2^exponent up to a relative error of 2^-52; about -p/p', 0 at a root. */
 typedef struct algsurf_i_value {
     int sign, exponent;

@@ -187,24 +187,21 @@ void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *
     root->t = fmax(root->lo, -DBL_MAX) == root->lo ? root->lo : root->hi;
 }
 
-/* From the place (a, b) to doubles. */
-static int to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+int algsurf_exact_to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     algsurf_exact_place *place = &root->place;
     const algsurf_zpoly *f = place->of;
     int e = walk->unit - place->r, before = walk->before;
     sample lo, hi;
-    algsurf_exact_set_hull(walk, root);
     if (doubles_between(root->lo, root->hi) <= 1) return 1; /* no double is inside */
     double first = algsurf_z_round_up(place->a, place->width, e),
            last = algsurf_z_round_down(place->b, place->width, e);
     if (!sample_at(walk, f, first, &lo) || !sample_at(walk, f, last, &hi)) return 0;
     if (lo.sign != 0 && lo.sign != before) {
         hi = lo;
-        lo.t = next_down(first);
-        if (lo.t < root->lo) lo.t = root->lo;
+        lo.t = root->lo;
     } else if (hi.sign == before) {
         lo = hi;
-        hi.t = next_up(last);
+        hi.t = root->hi;
     } else if (lo.sign == 0) {
         hi = lo;
     } else if (hi.sign == 0) {
@@ -221,19 +218,18 @@ static int to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     return outside || set_doubles(walk, root->lo, root->hi, place);
 }
 
-/* Is the place, as it is, what the walk was asked for? */
-static int is_enough(const algsurf_exact_walk *walk, const algsurf_exact_place *place) {
+/* Is the place, whose hull is set, what the walk was asked for? */
+static int is_enough(const algsurf_exact_walk *walk, const algsurf_exact_root *root) {
+    const algsurf_exact_place *place = &root->place;
     int e = walk->unit - place->r, w = place->width;
     if (!place->b || walk->refine == ALGSURF_EXACT_ISOLATED) return 1;
     return walk->refine == ALGSURF_EXACT_BRACKETS && walk->parts == 0 &&
-           algsurf_z_round_down(place->a, w, e) == algsurf_z_round_up(place->a, w, e) &&
-           algsurf_z_round_down(place->b, w, e) == algsurf_z_round_up(place->b, w, e);
+           algsurf_z_round_up(place->a, w, e) == root->lo && algsurf_z_round_down(place->b, w, e) == root->hi;
 }
 
 int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    if (!is_enough(walk, &root->place)) return to_doubles(walk, root);
     algsurf_exact_set_hull(walk, root);
-    return 1;
+    return is_enough(walk, root) || algsurf_exact_to_doubles(walk, root);
 }
 
 int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {

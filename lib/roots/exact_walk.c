@@ -251,13 +251,9 @@ static int is_wanted(const algsurf_exact_walk *walk, const algsurf_exact_root *r
 
 /* A root that is not refined and whose place reaches beyond an end of [lo,hi]: it is, for once. */
 static int see_which_side(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    int refine = walk->refine;
-    if (refine == ALGSURF_EXACT_REFINED || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi))
-        return 1;
-    walk->refine = ALGSURF_EXACT_REFINED;
-    int done = algsurf_exact_refine_place(walk, root);
-    walk->refine = refine;
-    return done;
+    int inside = root->lo >= walk->lo && root->hi <= walk->hi;
+    return walk->refine == ALGSURF_EXACT_REFINED || !root->place.b || inside ||
+           algsurf_exact_to_doubles(walk, root);
 }
 
 int algsurf_exact_next(algsurf_exact_walk *walk, algsurf_exact_root *root) {

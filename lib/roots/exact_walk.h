@@ -235,8 +235,10 @@ int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int befor
 void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* From the cell with one root of f, whose ends may be other roots, to its place, and as follows. */
 int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
-/* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for. */
+/* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for;
+ * _to_doubles: in any case, from a place whose hull is set. */
 int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root);
+int algsurf_exact_to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t; of t = +-infinity the sign
  * beyond all roots, without a value. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,

@@ -164,13 +164,30 @@ int algsurf_i_is_level(const algsurf_i_coefficients *p, double size) {
     return size < 0x1p300;
 }
 
+/* An exponent e so that all roots are below 2^e; above 1023 where there is none.  |t| <= 2 max |c_k /
+ * c_n|^(1/(n-k)) (Fujiwara 1916).  |c_k| + r_k is below 2^(i+2), i the exponent of the larger one; |c_n| -
+ * r_n, rounded, is at most twice too large. */
+static int root_bound(const algsurf_i_coefficients *p) {
+    int n = p->degree, bound = -1000, radii = p->r != NULL;
+    double lead = fabs(p->c[n]) - (radii ? p->r[n] : 0);
+    if (!(lead > 0)) return 1024;
+    int least = ilogb(lead) - radii;
+    for (int k = 0; k < n; k++) {
+        double size = radii ? fmax(fabs(p->c[k]), p->r[k]) : fabs(p->c[k]);
+        if (!(size > 0)) continue;
+        int e = ilogb(size) + 1 + radii - least;
+        if (e > (n - k) * bound) bound = e > 0 ? (e + n - k - 1) / (n - k) : -(-e / (n - k));
+    }
+    return bound + 1;
+}
+
 /* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces. */
 static int walk_line(task *t) {
     int n = t->p->degree, e[ALGSURF_MAX_DEGREE + 1];
     double size = fmax(fabs(t->lo), fabs(t->hi));
     if (!(t->lo < t->hi) || n == 0 || n > ALGSURF_MAX_DEGREE || t->p->c[0] == 0 || t->p->c[n] == 0) return 0;
     if (t->level) return walk_piece(t, t->lo, t->hi, HALVINGS);
-    int bound = size < 0x1p900 ? ilogb(size) + 1 : algsurf_i_root_bound(t->p), inner = bound;
+    int bound = size < 0x1p900 ? ilogb(size) + 1 : root_bound(t->p), inner = bound;
     for (int k = 0; k <= n; k++) {
         e[k] = t->p->c[k] != 0 ? ilogb(t->p->c[k]) : NO_TERM;
         if (k > 0 && SPREAD + e[0] - e[k] < k * inner) inner = (int)floor((SPREAD + e[0] - e[k]) / (double)k);
