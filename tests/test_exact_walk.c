@@ -641,7 +641,8 @@ static void judge_doubles(const double *c, int n, int unit, double lo, double hi
         int count = 0, found;
         double last = lo;
         algsurf_memory_begin(&m, stack, STACK_WORDS, LIMIT);
-        assert_true(algsurf_exact_from_doubles(&m, c, n, unit, &p));
+        const int least = algsurf_zpoly_least_bit(c, 1, n, unit);
+        assert_true(algsurf_zpoly_from_doubles(&m, c, 1, n, unit, least, &p));
         assert_true(algsurf_exact_begin(&walk, &m, &p, unit, lo, hi, refine, NULL));
         for (; (found = algsurf_exact_next(&walk, &r)) == ALGSURF_EXACT_ROOT; count++) {
             int inside = exact_count_roots(&s, r.lo, r.hi), ends = 0;

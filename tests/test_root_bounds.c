@@ -21,7 +21,8 @@ TEST(reached) {
             algsurf_exact_pieces s;
             algsurf_memory_begin(&memory, block, 4096, 0);
             for (int k = 0; k <= n; k++) c[reverse ? n - k : k] = k < n ? -ldexp(1, n - k) : 1;
-            assert_true(algsurf_exact_from_doubles(&memory, c, n, 0, &p));
+            const int least = algsurf_zpoly_least_bit(c, 1, n, 0);
+            assert_true(algsurf_zpoly_from_doubles(&memory, c, 1, n, 0, least, &p));
             assert_true(algsurf_exact_pieces_begin(&s, &memory, &p, 0, -HUGE_VAL, HUGE_VAL));
             assert_int_equal(reverse ? s.least : s.most, reverse ? -2 : 2);
             assert_int_equal(sign_at(c, n, reverse ? -2 : 2), 1);

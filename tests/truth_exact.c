@@ -44,7 +44,8 @@ static void judge(const poly_case *p) {
     algsurf_zpoly q;
     algsurf_memory_begin(&m, block, 512, (size_t)1 << 30);
     algsurf_memory_mark begin = algsurf_memory_here(&m);
-    if (!algsurf_exact_from_doubles(&m, c, p->degree, 0, &q) ||
+    const int least = algsurf_zpoly_least_bit(c, 1, p->degree, 0);
+    if (!algsurf_zpoly_from_doubles(&m, c, 1, p->degree, 0, least, &q) ||
         !algsurf_exact_begin(&walk, &m, &q, 0, -HUGE_VAL, HUGE_VAL, 1, NULL)) {
         wrong(p, "no memory", 0);
         return;

@@ -21,22 +21,6 @@ int algsurf_i_take_integers(algsurf_memory *m, const algsurf_i_line *line, algsu
     return 1;
 }
 
-/* p(u) = 2^k c(2^unit u), as algsurf_exact_from_doubles makes it: k. */
-static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
-    int e, n = p->degree;
-    double lead = algsurf_z_to_double(algsurf_zpoly_at(p, n), p->width, &e);
-    return ilogb(lead) + e - ilogb(c[n]) - n * unit;
-}
-
-/* Is the line one point, and no root? */
-static int is_no_root(algsurf_memory *m, const algsurf_i_line *line, const algsurf_zpoly *p, int unit,
-                      int *done) {
-    int sign = 0;
-    if (line->lo != line->hi || isinf(line->lo)) return 0;
-    *done = algsurf_exact_at_double(m, p, unit, line->lo, &sign, NULL, NULL);
-    return sign != 0;
-}
-
 algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *roots, int capacity,
                                 int *count) {
     const algsurf_i_watch *watch = line->watch;
@@ -48,15 +32,16 @@ algsurf_status algsurf_i_decide(const algsurf_i_line *line, algsurf_real_root *r
     algsurf_exact_walk exact;
     algsurf_exact_root root;
     int unit = c ? unit_of(line->lo, line->hi) : 0, found = ALGSURF_EXACT_END,
+        least = c ? algsurf_zpoly_least_bit(c, 1, line->p.degree, unit) : 0,
         refine = line->refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     *count = 0;
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    int done = c ? algsurf_exact_from_doubles(&memory, c, line->p.degree, unit, &p)
+    int done = c ? algsurf_zpoly_from_doubles(&memory, c, 1, line->p.degree, unit, least, &p)
                  : algsurf_i_take_integers(&memory, line, &p);
-    if (done && p.degree > 0 && !is_no_root(&memory, line, &p, unit, &done) && done) {
+    if (done && p.degree > 0) {
         if (watch) {
             scaled = *watch;
-            scaled.exponent -= scale_of(&p, c, unit);
+            scaled.exponent += least;
             watch = &scaled;
         }
         done = algsurf_exact_begin(&exact, &memory, &p, unit, line->lo, line->hi, refine, watch);

@@ -38,11 +38,6 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     }
 }
 
-int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
-    int least = algsurf_zpoly_least_bit(c, 1, degree, unit);
-    return algsurf_zpoly_from_doubles(m, c, 1, degree, unit, least, p);
-}
-
 static int ceiling_of_quotient(int a, int b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }
 
 /* Widens to exponents e with 2^least < |t| < 2^most for all roots t of p but 0. */

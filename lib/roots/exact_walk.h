@@ -115,9 +115,6 @@ enum { ALGSURF_EXACT_NO_MEMORY = -1, ALGSURF_EXACT_END = 0, ALGSURF_EXACT_ROOT =
  * at its end.  On one side of 0 if lo and hi are. */
 algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi);
 
-/* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j, with the least k. */
-int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p);
-
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  Memory is taken until algsurf_exact_end.  Returns 0 when
  * there is none.
