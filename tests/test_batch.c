@@ -554,13 +554,13 @@ static int left_open(int n, int all) {
     answers a;
     int open = 0;
     algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-    algsurf_i_polys_job job = {.c = p.coefficients, .lo = lo, .hi = hi, .interval = 1, .degree = n};
+    algsurf_i_polys_job job = {.p = p};
     if (all) {
         job.roots = all_roots, job.found = counts;
-        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
+        algsurf_i_roots_kernel_for(kernel)->solve_all(&job);
     } else {
         job.state = a.state, job.root = a.root;
-        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
+        algsurf_i_roots_kernel_for(kernel)->solve(&job);
     }
     for (int i = 0; i < MOST; i++) open += all ? counts[i] < 0 : a.state[i] == ALGSURF_LANE_UNDECIDED;
     return open;

@@ -132,16 +132,16 @@ static double other(double x) { return nextafter(x, 0); }
 static void break_roots(void);
 TABLE(roots)
 
-static int wrong_first(const algsurf_i_polys_job *job, size_t count) {
-    int undecided = real_roots->solve(job, count);
-    for (size_t i = 0; i < count; i++) job->root[i] = other(job->root[i]);
+static int wrong_first(const algsurf_i_polys_job *job) {
+    int undecided = real_roots->solve(job);
+    for (size_t i = 0; i < job->p.count; i++) job->root[i] = other(job->root[i]);
     return undecided;
 }
 
-static void wrong_all(const algsurf_i_polys_job *job, size_t count) {
-    real_roots->solve_all(job, count);
-    for (size_t i = 0; i < count; i++) {
-        algsurf_real_root *first = job->roots + i * (size_t)job->degree;
+static void wrong_all(const algsurf_i_polys_job *job) {
+    real_roots->solve_all(job);
+    for (size_t i = 0; i < job->p.count; i++) {
+        algsurf_real_root *first = job->roots + i * (size_t)job->p.degree;
         if (job->found[i] > 0) first->root = other(first->root);
     }
 }

@@ -96,12 +96,12 @@ static void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_
         if (*in_row(block, PLACE, i, n) == UNDECIDED) job->found[at + (size_t)i] = -1;
 }
 
-static void solve_all(const algsurf_i_polys_job *job, size_t count) {
+static void solve_all(const algsurf_i_polys_job *job) {
     poly_block block;
-    begin_block(&block, job->degree);
-    const size_t batch = (size_t)BATCH_OF(job->degree);
+    begin_block(&block, job->p.degree);
+    const size_t batch = (size_t)BATCH_OF(job->p.degree), count = job->p.count;
     for (size_t at = 0; at < count; at += batch)
-        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->degree);
+        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->p.degree);
 }
 
 const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {.solve = solve_polys,

@@ -28,7 +28,7 @@ INLINE lanes part_at(const algsurf_i_polys_job *job, size_t at, const int *id, l
     gather_interval(job, at, id, &lo, &hi);
     lanes m = absolute(0.5 * lo + 0.5 * hi), h = 0.5 * hi - 0.5 * lo;
     for (int k = n; k >= 0; k--) {
-        lanes c = absolute(gather_table(&job->c, k, at, id));
+        lanes c = absolute(gather_table(&job->p.coefficients, k, at, id));
         near = near * (m + h * absolute(x)) + c;
         far = far * (m + h) + c;
     }
@@ -93,7 +93,7 @@ INLINE void begin_hits(const algsurf_i_polys_job *job, const poly_block *block, 
     gather_interval(job, at, id, &lo, &hi);
     lanes most = larger(absolute(lo), absolute(hi)), margin = 0x1p-50 * most;
     lanes middle = 0.5 * lo + 0.5 * hi, half = 0.5 * hi - 0.5 * lo;
-    for (int k = 0; k <= n; k++) c[k] = gather_table(&job->c, k, at, id);
+    for (int k = 0; k <= n; k++) c[k] = gather_table(&job->p.coefficients, k, at, id);
     begin_enclosure(e, choose(at_most(begin, all_lanes(-1)), lo, middle + begin * half + margin),
                     choose(at_most(all_lanes(1), end), hi, middle + end * half - margin),
                     middle + all->a[w].x * half,
@@ -124,7 +124,7 @@ INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, si
     const lanes allowed = BLURRED * absolute(a->slope);
     mask blurred = less(numbered(), all_lanes(count)) & ~at_most(all->noise[w], allowed);
     mask open = a->moving | (a->stuck & blurred);
-    if (any(blurred) && !job->r.at) /* radii may be all of c_0's, and the same everywhere */
+    if (any(blurred) && !job->p.radii.at) /* radii may be all of c_0's, and the same everywhere */
         blurred &= ~at_most(all->noise[w] * part_at(job, at, all->id[w], a->x, n), allowed);
     unsigned undecided = bits(open | blurred);
     for (int l = 0; l < LANES && l < count; l++)
@@ -141,7 +141,7 @@ APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t
     approach_hits(job, block, i, n, &all);
     for (int w = 0; w < all.packets; w++)
         some |= undecided[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
-    if (!some || job->r.at) return;
+    if (!some || job->p.radii.at) return;
     enclose_hits(job, block, at, i, &all, n, e);
     for (int w = 0; w < all.packets; w++)
         for (int l = 0; undecided[w] >> l; l++)

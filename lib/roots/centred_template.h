@@ -40,7 +40,7 @@ typedef struct centred {
 
 /* What values are off by, as a part of the radius.  With radii of the caller's, it may be as much. */
 INLINE double part_of_values(const algsurf_i_polys_job *job, int n) {
-    return job->r.at ? 1 : (5.0 * n + 1) / (6 * n + 10);
+    return job->p.radii.at ? 1 : (5.0 * n + 1) / (6 * n + 10);
 }
 
 /* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
@@ -76,9 +76,9 @@ INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *
 }
 
 INLINE void load_interval(const algsurf_i_polys_job *job, size_t at, int count, lanes *lo, lanes *hi) {
-    ptrdiff_t first = (ptrdiff_t)at * job->interval;
-    *lo = load_steps(job->lo + first, job->interval, count);
-    *hi = load_steps(job->hi + first, job->interval, count);
+    ptrdiff_t first = (ptrdiff_t)at * job->p.interval_step;
+    *lo = load_steps(job->p.lo + first, job->p.interval_step, count);
+    *hi = load_steps(job->p.hi + first, job->p.interval_step, count);
 }
 
 INLINE void to_index(lanes id, int *index) {
@@ -98,22 +98,22 @@ INLINE lanes gather_table(const algsurf_table *t, int k, size_t at, const int *i
 }
 
 INLINE void gather_interval(const algsurf_i_polys_job *job, size_t at, const int *id, lanes *lo, lanes *hi) {
-    ptrdiff_t first = (ptrdiff_t)at * job->interval;
-    *lo = gather(job->lo + first, job->interval, id);
-    *hi = gather(job->hi + first, job->interval, id);
+    ptrdiff_t first = (ptrdiff_t)at * job->p.interval_step;
+    *lo = gather(job->p.lo + first, job->p.interval_step, id);
+    *hi = gather(job->p.hi + first, job->p.interval_step, id);
 }
 
 /* Polynomials at .. at+count-1. */
 INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
     lanes *d = p->d;
     load_interval(job, at, count, &p->lo, &p->hi);
-    for (int k = 0; k <= n; k++) d[k] = load_table(&job->c, k, at, count);
+    for (int k = 0; k <= n; k++) d[k] = load_table(&job->p.coefficients, k, at, count);
     lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
     lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
     mask refused = no_lane();
     p->radius = all_lanes(0);
-    for (int k = n; job->r.at && k >= 0; k--) {
-        lanes r = load_table(&job->r, k, at, count);
+    for (int k = n; job->p.radii.at && k >= 0; k--) {
+        lanes r = load_table(&job->p.radii, k, at, count);
         refused |= ~at_most(all_lanes(0), r);
         p->radius = p->radius * most + r;
     }

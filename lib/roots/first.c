@@ -21,12 +21,6 @@
 #include "line.h"
 #include "polys.h"
 
-typedef struct query {
-    algsurf_real_batch polys;
-    algsurf_batch_options options;
-    const algsurf_i_roots_kernel *kernel;
-} query;
-
 static double begin_of(const algsurf_real_batch *p, size_t i) {
     return p->lo ? p->lo[(ptrdiff_t)i * p->interval_step] : -HUGE_VAL;
 }
@@ -42,20 +36,19 @@ static algsurf_i_coefficients read_one(const algsurf_real_batch *p, size_t i, do
     return (algsurf_i_coefficients){c, p->radii.at ? r : NULL, p->degree};
 }
 
-static algsurf_status read_batch(query *q, const algsurf_real_batch *batch,
-                                 const algsurf_batch_options *options) {
-    q->options = (algsurf_batch_options){.size = sizeof q->options};
-    algsurf_status status = algsurf_options_read(&q->polys, sizeof q->polys, batch);
-    if (status == ALGSURF_OK && options)
-        status = algsurf_options_read(&q->options, sizeof q->options, options);
-    const double tolerance = q->options.relative_tolerance;
+/* A job without answers, and who does it. */
+static algsurf_status read_batch(algsurf_i_polys_job *job, const algsurf_i_kernel **kernel,
+                                 const algsurf_real_batch *batch, const algsurf_batch_options *options) {
+    algsurf_batch_options o = {.size = sizeof o};
+    *job = (algsurf_i_polys_job){.state = NULL};
+    algsurf_status status = algsurf_options_read(&job->p, sizeof job->p, batch);
+    if (status == ALGSURF_OK && options) status = algsurf_options_read(&o, sizeof o, options);
+    const double tolerance = job->tolerance = o.relative_tolerance;
     if (status == ALGSURF_OK) status = algsurf_i_check_number(tolerance, tolerance >= 0 && tolerance < 1);
-    if (status == ALGSURF_OK) status = algsurf_i_check_degree(q->polys.degree);
+    if (status == ALGSURF_OK) status = algsurf_i_check_degree(job->p.degree);
     if (status != ALGSURF_OK) return status;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
-    if (!kernel || (q->polys.count > 0 && !q->polys.coefficients.at)) return ALGSURF_E_ARGUMENT;
-    q->kernel = algsurf_i_roots_kernel_for(kernel);
-    return ALGSURF_OK;
+    *kernel = algsurf_i_kernel_find(o.kernel);
+    return *kernel && (job->p.count == 0 || job->p.coefficients.at) ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
 /* The middle of a place; of an infinite one an end that is finite, or 0. */
@@ -120,34 +113,22 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     return status < 0 ? status : ALGSURF_OK;
 }
 
-/* A job without answers. */
-static algsurf_i_polys_job job_of(const query *q) {
-    const algsurf_real_batch *p = &q->polys;
-    return (algsurf_i_polys_job){.c = p->coefficients,
-                                 .r = p->radii,
-                                 .lo = p->lo,
-                                 .hi = p->hi,
-                                 .interval = p->interval_step,
-                                 .degree = p->degree,
-                                 .tolerance = q->options.relative_tolerance};
-}
-
 static int has_kernel(const algsurf_real_batch *p) {
     return p->degree >= 1 && p->degree <= ALGSURF_MAX_POLYS_DEGREE && p->lo && p->hi;
 }
 
 static algsurf_status first_roots(const algsurf_real_batch *batch, const algsurf_batch_options *options,
                                   unsigned char *state, double *root) {
-    query q;
-    algsurf_status first = read_batch(&q, batch, options);
-    const algsurf_real_batch *p = &q.polys;
+    algsurf_i_polys_job job;
+    const algsurf_i_kernel *kernel;
+    algsurf_status first = read_batch(&job, &kernel, batch, options);
+    const algsurf_real_batch *p = &job.p;
     if (first != ALGSURF_OK || p->count == 0) return first;
     if (!state) return ALGSURF_E_ARGUMENT;
-    algsurf_i_polys_job job = job_of(&q);
     job.state = state;
     job.root = root;
     if (has_kernel(p)) {
-        if (!q.kernel->solve(&job, p->count)) return ALGSURF_OK;
+        if (!algsurf_i_roots_kernel_for(kernel)->solve(&job)) return ALGSURF_OK;
     } else {
         memset(state, ALGSURF_LANE_UNDECIDED, p->count);
     }
@@ -173,36 +154,36 @@ static int is_by_boxes(const algsurf_real_batch *p) {
            end_of(p, 0) == HUGE_VAL;
 }
 
-static void fill_block(const query *q, size_t first, box_block *block) {
-    const algsurf_real_batch *p = &q->polys;
+static void fill_block(const algsurf_real_batch *p, const algsurf_i_kernel *kernel, size_t first,
+                       box_block *block) {
     const size_t left = p->count - first;
     const algsurf_table real = {NULL, 0, 0};
     algsurf_table c = p->coefficients;
     c.at += (ptrdiff_t)first * c.polynomial;
-    algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(q->options.kernel))
-        ->many(&c, &real, p->degree, left < BLOCK ? left : BLOCK, block->box, block->found);
+    algsurf_i_allroots_kernel_for(kernel)->many(&c, &real, p->degree, left < BLOCK ? left : BLOCK, block->box,
+                                                block->found);
 }
 
 ALGSURF_I_ENTRY(algsurf_status, real_roots_batch,
                 (const algsurf_real_batch *batch, const algsurf_batch_options *options,
                  algsurf_real_root *roots, int *count),
                 (batch, options, roots, count)) {
-    query q;
-    algsurf_status first = read_batch(&q, batch, options);
-    const algsurf_real_batch *p = &q.polys;
+    algsurf_i_polys_job job;
+    const algsurf_i_kernel *kernel;
+    algsurf_status first = read_batch(&job, &kernel, batch, options);
+    const algsurf_real_batch *p = &job.p;
     if (first != ALGSURF_OK || p->count == 0) return first;
-    if (!roots || !count || p->radii.at || q.options.relative_tolerance != 0) return ALGSURF_E_ARGUMENT;
-    algsurf_i_polys_job job = job_of(&q);
+    if (!roots || !count || p->radii.at || job.tolerance != 0) return ALGSURF_E_ARGUMENT;
     job.roots = roots;
     job.found = count;
     box_block block;
     const int by_boxes = is_by_boxes(p), in_packets = has_kernel(p) && !by_boxes;
-    if (in_packets) q.kernel->solve_all(&job, p->count);
+    if (in_packets) algsurf_i_roots_kernel_for(kernel)->solve_all(&job);
     for (size_t i = 0; i < p->count; i++) {
         if (in_packets && count[i] >= 0) continue;
         int room = p->degree > 0 ? p->degree : 1, found = 0;
         const size_t at = i % BLOCK;
-        if (by_boxes && at == 0) fill_block(&q, i, &block);
+        if (by_boxes && at == 0) fill_block(p, kernel, i, &block);
         const algsurf_complex_root *boxes =
             by_boxes && block.found[at] == p->degree ? block.box + at * (size_t)p->degree : NULL;
         algsurf_status status = find_alone(p, i, ALGSURF_I_ALL, boxes, roots + i * (size_t)room, &found);

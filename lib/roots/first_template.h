@@ -202,7 +202,8 @@ INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, in
     return any(undecided);
 }
 
-INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
+INLINE int solve_closed_n(const algsurf_i_polys_job *job, int n) {
+    const size_t count = job->p.count;
     int undecided = 0;
     for (size_t at = 0; at < count; at += LANES)
         undecided |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
@@ -210,9 +211,10 @@ INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
 }
 
 /* Degrees 1 and 2.  What the closed form leaves open is walked like all others. */
-static int solve_low(const algsurf_i_polys_job *job, size_t count) {
-    const int n = job->degree;
-    if (!(n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1))) return 0;
+static int solve_low(const algsurf_i_polys_job *job) {
+    const int n = job->p.degree;
+    const size_t count = job->p.count;
+    if (!(n == 2 ? solve_closed_n(job, 2) : solve_closed_n(job, 1))) return 0;
     poly_block block;
     int undecided = 0, open = 0;
     begin_block(&block, n);
@@ -227,12 +229,12 @@ static int solve_low(const algsurf_i_polys_job *job, size_t count) {
     return undecided;
 }
 
-static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
-    int undecided = 0, n = job->degree;
-    if (n <= 2) return solve_low(job, count);
+static int solve_polys(const algsurf_i_polys_job *job) {
+    int undecided = 0, n = job->p.degree;
+    if (n <= 2) return solve_low(job);
     poly_block block;
     begin_block(&block, n);
-    const size_t together = (size_t)POLYS_OF(n);
+    const size_t together = (size_t)POLYS_OF(n), count = job->p.count;
     for (size_t at = 0; at < count; at += together)
         undecided |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
     return undecided;

@@ -12,12 +12,9 @@
 /* The bounds of centred_template.h hold up to this degree. */
 #define ALGSURF_MAX_POLYS_DEGREE 20
 
-/* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_real_batch, and their answers. */
+/* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE with their intervals, and their answers. */
 typedef struct algsurf_i_polys_job {
-    algsurf_table c, r; /* r.at null: exact */
-    const double *lo, *hi;
-    ptrdiff_t interval; /* step of lo and hi */
-    int degree;
+    algsurf_real_batch p;
     double tolerance; /* relative to the interval */
     uint8_t *state;
     double *root;             /* +inf where there is none; may be null */
@@ -35,11 +32,11 @@ algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx
     algsurf_i_roots_single_baseline;
 
 typedef struct algsurf_i_roots_kernel {
-    /* state and root of the first `count` polynomials; of an undecided one only the state means something.
-     * Returns 0 if there is none. */
-    int (*solve)(const algsurf_i_polys_job *job, size_t count);
-    /* roots and found of the first `count` polynomials, which have no radii. */
-    void (*solve_all)(const algsurf_i_polys_job *job, size_t count);
+    /* state and root; of an undecided polynomial only the state means something.  Returns 0 if there is none.
+     */
+    int (*solve)(const algsurf_i_polys_job *job);
+    /* roots and found, of polynomials without radii. */
+    void (*solve_all)(const algsurf_i_polys_job *job);
     algsurf_i_roots_single *single;
     /* Roots of p, each simple and alone in (lo,hi), with the sign before it, become final; multiplicity 0:
      * one that stays.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
