@@ -13,11 +13,11 @@
  * u != 0 a member has a double root if and only if 0 is in it; if 0 is not, the line along one of its edges
  * separates them: for one of the numbers m = 0 .. n, u q' - m q has one sign for all members (for m = 0 these
  * are the derivatives, and at u = 0 they alone tell).  With the coefficients (k - m) q_k that is a set like
- * the first one.  In doubles, m and a bound from the middle of a range serve nearly always, or from those of
- * its parts.  Where they do not, the range is asked for the hidden points of that set, and these for another
- * m. Where one m serves throughout, u^-m q is monotone.  So are its parts if several do, in one direction:
- * where they meet, at a double within the range, some member has a root, and its slope shows in both.  Hidden
- * points left over in between end at no such double, and p is asked for the number of its roots. */
+ * the first one.  In doubles, m and a bound from the middle of a range serve nearly always.  Where they do not,
+ * the range is asked for the hidden points of that set, and these for another m.  Where one m serves
+ * throughout, u^-m q is monotone.  So are its parts if several do, in one direction: where they meet, at a
+ * double within the range, some member has a root, and its slope shows in both.  Hidden points left over in
+ * between end at no such double, and p is asked for the number of its roots. */
 #include "../base/arithmetic.h"
 #include <float.h>
 #include <limits.h>
@@ -26,7 +26,7 @@
 
 #include "exact_walk.h"
 
-enum { UNKNOWN = 2, MOST_ROUNDS = 8, MOST_HALVINGS = 5 };
+enum { UNKNOWN = 2, MOST_ROUNDS = 8 };
 
 typedef struct set {
     algsurf_memory *memory;
@@ -245,24 +245,15 @@ static int find_separating(const set *s, const algsurf_zpoly *slope, double lo, 
     return 1;
 }
 
-/* May a member have a double root in [lo,hi]?  By halves, at doubles; *clear: there is none. */
-static int look_for_double(const set *s, const algsurf_zpoly *slope, double lo, double hi, int halvings,
-                           int *m, int *clear) {
-    double middle = middle_of(lo, hi);
-    int unused;
-    if (!find_separating(s, slope, lo, hi, m, clear)) return 0;
-    if (*clear || *m < 0 || halvings == 0 || (lo <= 0 && hi >= 0) || !(lo < middle && middle < hi)) return 1;
-    return look_for_double(s, slope, lo, middle, halvings - 1, &unused, clear) &&
-           (!*clear || look_for_double(s, slope, middle, hi, halvings - 1, &unused, clear));
-}
-
-/* The same with certainty; *may is set, or it is not, and *parts if several m were needed. */
+/* May a member have a double root in [lo,hi]?  *may is set, or it is not, and *parts if several m were
+ * needed.
+ */
 static int ask_for_double(const set *s, const algsurf_zpoly *slope, double lo, double hi, int rounds,
                           int *parts, int *may) {
     algsurf_memory_mark mark = algsurf_memory_here(s->memory);
     set scaled = *s;
     ranges left;
-    int m = MOST_ROUNDS - rounds, clear, done = look_for_double(s, slope, lo, hi, MOST_HALVINGS, &m, &clear);
+    int m = MOST_ROUNDS - rounds, clear, done = find_separating(s, slope, lo, hi, &m, &clear);
     if (!done || clear) return done;
     if (m < 0 || rounds == 0) return *may = 1;
     if (m == 0)
