@@ -144,25 +144,22 @@ static void keep_left(algsurf_memory *m, algsurf_exact_cell *cell, const algsurf
     algsurf_memory_release(m, left->begin);
 }
 
-int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
-                            const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
-                            int *width, int *r) {
+int algsurf_exact_cell_place(algsurf_memory *m, const algsurf_exact_cells *cells,
+                             const algsurf_exact_cell *cell, algsurf_exact_place *place) {
     const algsurf_limb one = 1;
+    const algsurf_exact_piece *piece = &cells->piece;
     int shift = cell->depth + cell->fine, w = algsurf_z_width(shift + piece->length + 64 + 2);
     int up = cell->fine + piece->length;
-    *a = algsurf_memory_take(m, (size_t)w);
-    *b = algsurf_memory_take(m, (size_t)w);
-    algsurf_limb *position = algsurf_memory_take(m, (size_t)w);
-    if (!*a || !*b || !position) return 0;
-    algsurf_z_set(*a, w, piece->at);
-    algsurf_z_shift_up(*a, w, shift);
+    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w), *b = a + w, *position = b + w;
+    if (!a) return 0;
+    algsurf_z_set(a, w, piece->at);
+    algsurf_z_shift_up(a, w, shift);
     algsurf_z_copy(position, w, cell->position, cell->position_width);
     algsurf_z_shift_up(position, w, piece->length);
-    algsurf_z_add(*a, position, w);
-    algsurf_z_copy(*b, w, *a, w);
-    algsurf_z_add_product(*b, w, &one, 1, (algsurf_limb)1 << (up & 63), up / 64);
-    *width = w;
-    *r = shift - (piece->unit - unit);
+    algsurf_z_add(a, position, w);
+    algsurf_z_copy(b, w, a, w);
+    algsurf_z_add_product(b, w, &one, 1, (algsurf_limb)1 << (up & 63), up / 64);
+    *place = (algsurf_exact_place){NULL, a, b, w, shift - (piece->unit - cells->unit)};
     return 1;
 }
 
@@ -210,16 +207,17 @@ static int over_piece(algsurf_memory *m, const algsurf_zpoly *f, int unit, const
 enum { TOLD_WORDS = 64 };
 
 int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell) {
-    algsurf_limb block[TOLD_WORDS], *a, *b;
+    algsurf_limb block[TOLD_WORDS];
     algsurf_memory memory; /* of its own: watching leaves the walk's as it is */
-    int width, r, n = cell->b.degree;
+    algsurf_exact_place at;
+    int n = cell->b.degree;
     signed char signs[ALGSURF_MAX_POLY_DEGREE + 1];
     algsurf_memory_mark begin = algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    int done = algsurf_exact_cell_ends(&memory, cell, &cells->piece, cells->unit, &a, &b, &width, &r);
+    int done = algsurf_exact_cell_place(&memory, cells, cell, &at);
     for (int j = 0; j <= n; j++) signs[j] = (signed char)algsurf_exact_sign(cell, j);
     if (done) {
-        const algsurf_cell told = {.lo = algsurf_z_round_down(a, width, cells->unit - r),
-                                   .hi = algsurf_z_round_down(b, width, cells->unit - r),
+        const algsurf_cell told = {.lo = algsurf_z_round_down(at.a, at.width, cells->unit - at.r),
+                                   .hi = algsurf_z_round_down(at.b, at.width, cells->unit - at.r),
                                    .variations = cell->variations,
                                    .engine = ALGSURF_ENGINE_INTEGERS,
                                    .degree = n,
@@ -230,13 +228,13 @@ int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exac
     return done;
 }
 
-int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f,
                              const algsurf_exact_piece *piece) {
     algsurf_memory *m = cells->memory;
     algsurf_exact_cell *cell = &cells->cell;
     algsurf_memory_mark begin = algsurf_memory_here(m);
     algsurf_zpoly b;
-    if (!over_piece(m, f, unit, piece, &b)) return 0;
+    if (!over_piece(m, f, cells->unit, piece, &b)) return 0;
     if (begin.last == m->last) algsurf_memory_release(m, begin); /* b moves down */
     algsurf_limb zero = 0;
     *cell =
@@ -246,7 +244,6 @@ int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f,
     cell->variations = algsurf_exact_variations(cell);
     cells->active = 1;
     cells->piece = *piece;
-    cells->unit = unit;
     return !cells->watch || algsurf_exact_tell_cell(cells, cell);
 }
 

@@ -13,8 +13,8 @@
  * u != 0 a member has a double root if and only if 0 is in it; if 0 is not, the line along one of its edges
  * separates them: for one of the numbers m = 0 .. n, u q' - m q has one sign for all members (for m = 0 these
  * are the derivatives, and at u = 0 they alone tell).  With the coefficients (k - m) q_k that is a set like
- * the first one.  In doubles, m and a bound from the middle of a range serve nearly always.  Where they do not,
- * the range is asked for the hidden points of that set, and these for another m.  Where one m serves
+ * the first one.  In doubles, m and a bound from the middle of a range serve nearly always.  Where they do
+ * not, the range is asked for the hidden points of that set, and these for another m.  Where one m serves
  * throughout, u^-m q is monotone.  So are its parts if several do, in one direction: where they meet, at a
  * double within the range, some member has a root, and its slope shows in both.  Hidden points left over in
  * between end at no such double, and p is asked for the number of its roots. */

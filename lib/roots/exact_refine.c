@@ -81,7 +81,8 @@ static double first_guess(const algsurf_exact_walk *walk) {
     double position = algsurf_z_to_double(cell->position, cell->position_width, &e);
     double begin = ldexp(position, e - cell->depth - cell->fine);
     double x = begin + ldexp(place_in_cell(cell, walk->before), -cell->depth);
-    return ldexp((double)walk->piece.at + ldexp(x, walk->piece.length), walk->piece.unit);
+    const algsurf_exact_piece *piece = &walk->cells.piece;
+    return ldexp((double)piece->at + ldexp(x, piece->length), piece->unit);
 }
 
 /* A step of the secant through the last point and another one, and over the root. */
@@ -233,13 +234,12 @@ int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *roo
 }
 
 int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
-    algsurf_limb *a, *b;
-    int width, r, before = 0;
+    int before = 0;
     const algsurf_exact_cell *cell = &walk->cells.cell;
     for (int j = 0; before == 0; j++) before = algsurf_exact_sign(cell, j);
-    if (!algsurf_exact_cell_ends(walk->memory, cell, &walk->piece, walk->unit, &a, &b, &width, &r)) return 0;
+    if (!algsurf_exact_cell_place(walk->memory, &walk->cells, cell, &root->place)) return 0;
     walk->before = before;
-    root->place = (algsurf_exact_place){f, a, b, width, r};
+    root->place.of = f;
     int apart = algsurf_exact_sign(cell, 0) && algsurf_exact_sign(cell, cell->b.degree);
     if (!apart && !part_from_ends(walk->memory, &root->place, before)) return 0;
     return algsurf_exact_refine_place(walk, root);

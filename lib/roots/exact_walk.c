@@ -21,7 +21,7 @@ int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsu
                         double lo, double hi, int refine, const algsurf_i_watch *watch) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
-    walk->cells = (algsurf_exact_cells){.memory = m, .watch = watch};
+    walk->cells = (algsurf_exact_cells){.memory = m, .watch = watch, .unit = unit};
     walk->cells.waiting = algsurf_i_take(m, (size_t)(p->degree + 1) * sizeof *walk->cells.waiting);
     int done = walk->cells.waiting && algsurf_exact_pieces_begin(&walk->pieces, m, p, unit, lo, hi);
     walk->bottom = walk->top = algsurf_memory_here(m);
@@ -128,24 +128,22 @@ static int complete(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             find_sign_before(walk, &root->place, root->multiplicity, &root->sign_before));
 }
 
-/* The root at a point, N 2^-r. */
-static void set_point(const algsurf_exact_walk *walk, const algsurf_limb *N, int width, int r,
+/* The root at the end a of a place. */
+static void set_point(const algsurf_exact_walk *walk, const algsurf_exact_place *place,
                       algsurf_exact_root *root) {
-    root->place = (algsurf_exact_place){walked(walk), N, NULL, width, r};
+    root->place = (algsurf_exact_place){walked(walk), place->a, NULL, place->width, place->r};
     algsurf_exact_set_hull(walk, root);
 }
 
 /* The root at the cell's left end. */
 static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     const algsurf_zpoly *b = &walk->cells.cell.b;
-    algsurf_limb *a, *unused;
-    int width, r, zeros = 0;
+    algsurf_exact_place whole;
+    int zeros = 0;
     walk->cells.cell.left_done = 1;
     while (algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width) == 0) zeros++;
-    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &unused,
-                                 &width, &r))
-        return 0;
-    set_point(walk, a, width, r, root);
+    if (!algsurf_exact_cell_place(walk->memory, &walk->cells, &walk->cells.cell, &whole)) return 0;
+    set_point(walk, &whole, root);
     if (walk->parts) return 1;
     int after = algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width);
     root->multiplicity = zeros;
@@ -209,7 +207,7 @@ static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     algsurf_limb *N = algsurf_memory_take(walk->memory, 1);
     if (!N) return 0;
     *N = 0;
-    set_point(walk, N, 1, 0, root);
+    set_point(walk, &(algsurf_exact_place){.a = N, .width = 1}, root);
     while (algsurf_z_sign(algsurf_zpoly_at(&walk->p, root->multiplicity), walk->p.width) == 0)
         root->multiplicity++;
     return 1;
@@ -227,9 +225,10 @@ static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         }
         algsurf_memory_release(walk->memory, walk->bottom);
         walk->top = walk->bottom;
-        int piece = algsurf_exact_pieces_next(&walk->pieces, &walk->piece);
-        if (piece == ALGSURF_EXACT_ZERO) return root_at_zero(walk, root) ? 1 : -1;
-        if (piece == ALGSURF_EXACT_NO_PIECE) return 0;
+        algsurf_exact_piece piece;
+        int next = algsurf_exact_pieces_next(&walk->pieces, &piece);
+        if (next == ALGSURF_EXACT_ZERO) return root_at_zero(walk, root) ? 1 : -1;
+        if (next == ALGSURF_EXACT_NO_PIECE) return 0;
         if (++walk->opened == 2 && walk->p.degree >= LONG_DEGREE && walk->p.width >= LONG_WIDTH) {
             int answer = walk->asked ? 0 : ask_for_squares(walk);
             if (answer == 0) answer = list_roots(walk, FEW_SWEEPS);
@@ -239,7 +238,7 @@ static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
                 continue;
             }
         }
-        if (!algsurf_exact_cells_open(&walk->cells, walked(walk), walk->unit, &walk->piece)) return -1;
+        if (!algsurf_exact_cells_open(&walk->cells, walked(walk), &piece)) return -1;
     }
 }
 

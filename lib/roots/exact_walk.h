@@ -93,7 +93,6 @@ typedef struct algsurf_exact_walk {
     double lo, hi; /* the roots asked for */
     int refine;
     algsurf_exact_pieces pieces;
-    algsurf_exact_piece piece; /* the current one */
     /* squarefree part */
     int asked;                 /* 1: p is squarefree, or parts are there */
     int parts;                 /* 0: p itself is walked; else members of s */
@@ -168,8 +167,8 @@ int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const al
 
 /* exact_cell.c: cells, Bernstein coefficients in integers over dyadic parts of a piece. */
 
-/* The whole of a piece becomes the cell, of f, a polynomial in u = 2^-unit t. */
-int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,
+/* The whole of a piece becomes the cell, of f. */
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f,
                              const algsurf_exact_piece *piece);
 
 /* The cell is done with: the next one that waits, if any. */
@@ -194,10 +193,9 @@ int algsurf_exact_move_cell(algsurf_memory *m, algsurf_exact_cell *cell, int wid
 void algsurf_exact_strip(algsurf_exact_cell *cell);
 int algsurf_exact_variations(const algsurf_exact_cell *cell);
 
-/* The bounds of a cell of the piece in u = 2^-unit t: N 2^-r, taken from memory. */
-int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
-                            const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
-                            int *width, int *r);
+/* The ends of one of the cells as a place, of no polynomial, in u, taken from memory. */
+int algsurf_exact_cell_place(algsurf_memory *m, const algsurf_exact_cells *cells,
+                             const algsurf_exact_cell *cell, algsurf_exact_place *place);
 
 /* Shows a cell to whoever watches; returns 0 when there is no memory. */
 int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell);
