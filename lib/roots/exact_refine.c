@@ -229,6 +229,7 @@ static int is_enough(const algsurf_exact_walk *walk, const algsurf_exact_root *r
 }
 
 int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    if (!walk->parts) root->multiplicity = 1, root->sign_before = walk->before;
     algsurf_exact_set_hull(walk, root);
     return is_enough(walk, root) || algsurf_exact_to_doubles(walk, root);
 }

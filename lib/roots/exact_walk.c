@@ -87,11 +87,9 @@ static int next_listed(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     const algsurf_zpoly *f = walked(walk);
     const algsurf_i_root_on_axis *at = walk->listed + walk->next;
     int negative = algsurf_z_negative(algsurf_zpoly_at(f, f->degree), f->width);
-    int before = walk->before = (f->degree + walk->next++ + negative) % 2 ? -1 : 1;
+    walk->before = (f->degree + walk->next++ + negative) % 2 ? -1 : 1;
     root->place = (algsurf_exact_place){f, at->a, at->b, at->width, at->r};
-    if (!algsurf_exact_refine_place(walk, root)) return -1;
-    if (!walk->parts) root->multiplicity = 1, root->sign_before = before;
-    return 1;
+    return algsurf_exact_refine_place(walk, root) ? 1 : -1;
 }
 
 /* ---- what is known of a root ---- */
@@ -151,20 +149,9 @@ static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     return 1;
 }
 
-/* The root in the cell, which has one variation. */
-static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    if (!algsurf_exact_refine_cell(walk, walked(walk), root)) return 0;
-    if (!walk->parts) root->multiplicity = 1, root->sign_before = walk->before;
-    return 1;
-}
-
 /* Works on the cell until a root shows or the cells are used up: 1, 0; -1 without memory. */
 static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     int same = 0, before = 0; /* how often a cell kept its variations */
-    if (walk->used_up) {
-        walk->used_up = 0;
-        algsurf_exact_cells_next(&walk->cells);
-    }
     while (walk->cells.active) {
         algsurf_exact_cell *cell = &walk->cells.cell;
         walk->top = algsurf_memory_here(walk->memory);
@@ -175,8 +162,8 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             continue;
         }
         if (v == 1) {
-            walk->used_up = 1;
-            return root_in_cell(walk, root) ? 1 : -1;
+            cell->variations = 0; /* when the walk comes back */
+            return algsurf_exact_refine_cell(walk, walked(walk), root) ? 1 : -1;
         }
         if (!walk->asked && cell->depth >= ASK_AFTER) {
             int answer = ask_for_squares(walk);

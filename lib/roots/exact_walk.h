@@ -100,7 +100,6 @@ typedef struct algsurf_exact_walk {
     int opened, gave_up;       /* how many pieces; discs do not have the roots */
     int given, skip;           /* roots so far; of those to be passed over again */
     algsurf_exact_cells cells; /* of the piece */
-    int used_up;               /* the cell's root has been reported */
     int before;                /* the sign of what is walked before its last simple root */
     /* from discs */
     algsurf_i_root_on_axis *listed;         /* null: there are none; else the roots, */
@@ -230,8 +229,8 @@ int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int befor
 void algsurf_exact_set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* From the cell with one root of f, whose ends may be other roots, to its place, and as follows. */
 int algsurf_exact_refine_cell(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
-/* From an interval with one root, before which walk->before is the sign, to doubles, if that is asked for;
- * _to_doubles: in any case, from a place whose hull is set. */
+/* From an interval with one root, simple in what is walked, before which walk->before is the sign, to
+ * doubles, if that is asked for; _to_doubles: in any case, from a place whose hull is set. */
 int algsurf_exact_refine_place(algsurf_exact_walk *walk, algsurf_exact_root *root);
 int algsurf_exact_to_doubles(algsurf_exact_walk *walk, algsurf_exact_root *root);
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t; of t = +-infinity the sign
