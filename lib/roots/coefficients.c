@@ -7,8 +7,8 @@
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
-#include "line.h"
-#include "exact_walk.h"
+#include "../poly/integral.h"
+#include "coefficients.h"
 
 algsurf_status algsurf_i_check_coefficients(algsurf_i_coefficients *p) {
     algsurf_status status = algsurf_i_check_polynomial(p->c, 1, p->r, p->degree);

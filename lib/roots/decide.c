@@ -4,8 +4,6 @@
 #include "line.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "exact_walk.h"
 

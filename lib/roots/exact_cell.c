@@ -12,8 +12,6 @@
 
 #include <math.h>
 
-#include "line.h"
-
 /* Room for the cell's numbers in these widths, at the top of the stack. */
 static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
     size_t coefficients = (size_t)(cell->b.degree + 1) * (size_t)width;

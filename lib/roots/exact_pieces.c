@@ -17,7 +17,6 @@
  * one term m leaves out all annuli up to where it no longer serves, however many there are.  There the sum
  * itself is tried, in doubles, whose relative errors are below 2^-40; what underflows in it is less. */
 #include "../base/arithmetic.h"
-#include <float.h>
 #include <math.h>
 
 #include "exact_walk.h"

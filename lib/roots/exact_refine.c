@@ -10,7 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "algsurf/status.h"
 #include "exact_walk.h"
 
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,

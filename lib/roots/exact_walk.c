@@ -7,9 +7,6 @@
 #include "../base/arithmetic.h"
 #include "exact_walk.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 /* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three.  Discs
  * about all roots cost as many as it takes to get so far, from degree 32 on, since numbers grow by a bit a
  * degree with each.  Where numbers are long from the start, a piece costs as much as discs that doubles
@@ -135,15 +132,15 @@ static void set_point(const algsurf_exact_walk *walk, const algsurf_exact_place 
 
 /* The root at the cell's left end. */
 static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    const algsurf_zpoly *b = &walk->cells.cell.b;
+    algsurf_exact_cell *cell = &walk->cells.cell;
     algsurf_exact_place whole;
     int zeros = 0;
-    walk->cells.cell.left_done = 1;
-    while (algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width) == 0) zeros++;
-    if (!algsurf_exact_cell_place(walk->memory, &walk->cells, &walk->cells.cell, &whole)) return 0;
+    cell->left_done = 1;
+    while (algsurf_exact_sign(cell, zeros) == 0) zeros++;
+    if (!algsurf_exact_cell_place(walk->memory, &walk->cells, cell, &whole)) return 0;
     set_point(walk, &whole, root);
     if (walk->parts) return 1;
-    int after = algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width);
+    int after = algsurf_exact_sign(cell, zeros);
     root->multiplicity = zeros;
     root->sign_before = zeros % 2 ? -after : after;
     return 1;
@@ -176,8 +173,7 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         }
         same = v == before ? same + 1 : 0;
         before = v;
-        if (same >= ZOOM_AFTER && algsurf_z_sign(cell->b.c, cell->b.width) &&
-            algsurf_z_sign(algsurf_zpoly_at(&cell->b, cell->b.degree), cell->b.width)) {
+        if (same >= ZOOM_AFTER && algsurf_exact_sign(cell, 0) && algsurf_exact_sign(cell, cell->b.degree)) {
             int done;
             if (!algsurf_exact_zoom(walk->memory, cell, v, &done)) return -1;
             same = done ? ZOOM_AFTER - 1 : 0;

@@ -14,13 +14,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "algsurf/status.h"
 #include "exact_walk.h"
 #include "../base/elementary.h"
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */
-
-static int sign_of_double(double x) { return (x > 0) - (x < 0); }
 
 /* One round of the scheme at x for entries 0 .. m. */
 static void mean_all(double *b, int m, double x) {
@@ -72,7 +69,7 @@ static double cluster_radius(const double *b, int n, int v, double *room, double
 
 /* Are all coefficients left of x (right of it) of the sign at that end, beyond the bound? */
 static int outer_is_clear(const double *b, int n, double *t, double x, int at_right, double bound) {
-    int sign = sign_of_double(at_right ? b[n] : b[0]);
+    double sign = copysign(1, at_right ? b[n] : b[0]);
     memcpy(t, b, sizeof *t * (size_t)(n + 1));
     for (int i = n; i >= 0; i--) {
         if (!(sign * (at_right ? t[i] : t[0]) > bound)) return 0;
@@ -81,13 +78,13 @@ static int outer_is_clear(const double *b, int n, double *t, double x, int at_ri
     return 1;
 }
 
-/* The new cell, last taken, to the place of the old one, with no more limbs than it needs; where one of them
- * began a new block of memory, both stay. */
+/* The new cell, last taken, to the place of the old one, with no more limbs than it needs; where a new block
+ * of memory was begun, both stay. */
 static int take_place(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *part) {
     int n = part->b.degree;
     algsurf_exact_strip(part);
     part->variations = algsurf_exact_variations(part);
-    if (cell->begin.last == m->last && part->begin.last == m->last) {
+    if (cell->begin.last == m->last) {
         int width = algsurf_z_width(part->bits + n + 1);
         if (width > part->b.width) width = part->b.width;
         algsurf_memory_release(m, cell->begin);

@@ -5,8 +5,6 @@
  * the integers' signs at doubles, one beside the other, close it in. */
 #include "../base/arithmetic.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "line.h"
 #include "exact_walk.h"

@@ -23,7 +23,6 @@
 #include "../base/fpenv.h"
 #include "../complex/boxes.h"
 #include "../poly/value.h"
-#include "exact_walk.h"
 #include "polys.h"
 #include "refine_impl.h"
 
