@@ -44,13 +44,14 @@ static int is_negative(const judge *j, int *negative) {
     return 1;
 }
 
-/* Decided by q at both ends: *known. */
+/* Decided by q at both ends, or at the point: *known. */
 static int judge_ends(const judge *j, int *known, int *sign) {
     int at_a, at_b;
     if (!algsurf_exact_signs(j->memory, j->q, &j->place, &at_a, &at_b)) return 0;
     *sign = at_a != 0 ? at_a : at_b;
-    *known = j->q->degree == 1 ? at_a * at_b >= 0 : at_a >= 0 && at_b >= 0;
-    if (j->q->degree == 1) return 1;
+    *known = at_a * at_b >= 0;
+    if (j->q->degree == 1 || !j->place.b) return 1;
+    *known = at_a >= 0 && at_b >= 0;
     if (*known) *sign = 1;
     if (at_a >= 0 || at_b >= 0) return 1;
     return is_monotone(j, known) && (*known || is_negative(j, known));
@@ -82,7 +83,6 @@ static int judge_root(judge *j, int *sign) {
     if (!algsurf_exact_signs(j->memory, j->place.of, &j->place, &before, NULL)) return 0;
     while (!known) {
         if (!algsurf_exact_halve(j->memory, &j->place, before)) return 0;
-        if (!j->place.b) return algsurf_exact_signs(j->memory, j->q, &j->place, sign, NULL);
         if (!judge_ends(j, &known, sign)) return 0;
     }
     return 1;
@@ -95,8 +95,6 @@ int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_roo
     int done = 1;
     if (q->degree <= 0)
         *sign = q->degree < 0 ? 0 : algsurf_z_sign(q->c, q->width);
-    else if (!root->place.b)
-        done = algsurf_exact_signs(walk->memory, q, &root->place, sign, NULL);
     else
         done = judge_root(&j, sign);
     algsurf_memory_release(walk->memory, mark);
