@@ -233,7 +233,7 @@ static void judge(question *q, algsurf_memory *m, int round) {
     double most = -HUGE_VAL; /* of the terms; others lose as much, times binomials up to (61 over 4) */
     for (int k = 0; k <= q->n; k++) most = fmax(most, log2_of(q->c + k) + k * far);
     for (int w = 2; w <= widest; w += w / 2 + 1) {
-        assert_true(algsurf_i_taylor(&sums, &q->p.p, &q->at, last, w));
+        assert_true(algsurf_i_taylor(&sums, &q->p, &q->at, last, w));
         double size;
         exact_sum(q, 0, &exact);
         const double error = error_of(sums.at, &exact, &size);
@@ -249,11 +249,11 @@ static void judge(question *q, algsurf_memory *m, int round) {
         }
     }
     if (last > 0) judge_quotient(q, &sums, round);
-    const int whole = algsurf_i_whole_width(&q->p.p, &q->at);
+    const int whole = algsurf_i_whole_width(&q->p, &q->at);
     if (whole < 4 * LIMBS - 8) {
         double size;
         exact_sum(q, 0, &exact);
-        assert_true(algsurf_i_taylor(&sums, &q->p.p, &q->at, 0, whole));
+        assert_true(algsurf_i_taylor(&sums, &q->p, &q->at, 0, whole));
         if (!is_zero(sums.lost) || error_of(sums.at, &exact, &size) > -HUGE_VAL)
             fail_msg("round %d: %d limbs do not suffice (seed %llu)", round, whole, (unsigned long long)seed);
         exact_count++;

@@ -87,20 +87,23 @@ static int take_doubles(problem *s, algsurf_i_integers *z) {
         p[i].degree = n; /* radii may have more coefficients */
     }
     if (!algsurf_i_make_integers(s->m, p, s->part[1] ? p + 1 : NULL, z)) return 0;
-    for (int k = 0; s->r && k <= n; k++) {
-        z->radius[k] = scaled_double(s->r[s->low + k], 0, (int64_t)k * s->unit - s->least);
-        z->size[k] = sum(z->size[k], z->radius[k]);
+    if (!s->r) return 1;
+    algsurf_scaled *radius = algsurf_i_take(s->m, (size_t)(n + 1) * sizeof *radius);
+    if (!radius) return 0;
+    for (int k = 0; k <= n; k++) {
+        radius[k] = scaled_double(s->r[s->low + k], 0, (int64_t)k * s->unit - s->least);
+        z->size[k] = sum(z->size[k], radius[k]);
     }
-    if (s->r) z->p.radius = z->radius;
+    z->radius = radius;
     return 1;
 }
 
 /* The leading coefficient is not 0 by its radius. */
 static int has_lead(const algsurf_i_integers *z) {
-    int n = z->p.re.degree;
+    int n = z->re.degree;
     algsurf_scaled size = size_of(z->head[n]);
     size.re *= 1 - 0x1p-30;
-    return !z->p.radius || less(z->radius[n], size);
+    return !z->radius || less(z->radius[n], size);
 }
 
 /* ---- integers ---- */
@@ -144,8 +147,8 @@ static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given)
     if (!algsurf_i_discs_begin(&d, s->m, z, given, &s->answer.proposed)) return 0;
     if ((s->r || d.settled) && !algsurf_i_discs_run(&d, s->r ? RADII_SWEEPS : 0, &open)) return 0;
     s->answer.unit = s->unit;
-    if (!s->r && (open || (z->p.im.c && meets_axis(&d)))) {
-        if (!algsurf_i_solve_factors(s->m, &z->p, &s->answer)) return 0;
+    if (!s->r && (open || (z->im.c && meets_axis(&d)))) {
+        if (!algsurf_i_solve_factors(s->m, z, &s->answer)) return 0;
         if (s->answer.count > 0) return 1;
         if (open && algsurf_i_is_in_squares(z)
                 ? !algsurf_i_discs_separate(&d, s->m, z, ALGSURF_I_MOST_SWEEPS, &open, &s->answer.proposed)
@@ -160,7 +163,7 @@ static algsurf_status take_and_solve(problem *s, const algsurf_complex *start) {
     int n = s->high - s->low;
     algsurf_scaled *given = NULL;
     if (!(s->z[0] ? take_integers(s, &z) : take_doubles(s, &z))) return ALGSURF_E_NO_MEMORY;
-    z.p.real = s->real;
+    z.real = s->real;
     if (!has_lead(&z)) return ALGSURF_E_RANGE;
     if (start && !(given = algsurf_i_take(s->m, (size_t)n * sizeof *given))) return ALGSURF_E_NO_MEMORY;
     for (int i = 0; given && i < n; i++) { /* what is no number is 0: it keeps its own start value */

@@ -31,7 +31,7 @@ static algsurf_scaled size_up(algsurf_scaled a) { return by(size_of(a), UP); }
 
 /* Upper bounds of sum_k C(k,j) r_k |z|^(k-j) for j = 0 to `last`: what radii make of Taylor's coefficients.
  */
-static void set_spread(const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+static void set_spread(const algsurf_i_integers *p, const algsurf_i_point *z, int last,
                        algsurf_scaled *spread) {
     algsurf_scaled far = size_up(z->head);
     for (int j = 0; j <= last; j++) spread[j] = scaled_none();
@@ -62,13 +62,6 @@ int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int las
 
 /* ---- discs ---- */
 
-static algsurf_scaled lead_of(const algsurf_i_gaussian *p) {
-    const algsurf_limb *x = algsurf_zpoly_at(&p->re, p->re.degree);
-    algsurf_scaled lead =
-        algsurf_i_head(x, p->im.c ? algsurf_zpoly_at(&p->im, p->re.degree) : x, p->re.width, 0);
-    return p->im.c ? lead : scaled_of(lead.re, 0, lead.exponent);
-}
-
 static algsurf_scaled normal(algsurf_scaled a) { return scaled_of(a.re, a.im, a.exponent); }
 
 /* For sizes that are not normalised. */
@@ -78,7 +71,7 @@ static int is_nearer(algsurf_scaled a, algsurf_scaled b) {
 
 /* step = c_n prod (z - z_j), and nearest. */
 static int set_products(algsurf_i_discs *d) {
-    algsurf_scaled lead = lead_of(d->p), a;
+    algsurf_scaled lead = d->p->head[d->n], a;
     for (int i = 0; i < d->n; i++) d->root[i].step = lead, d->root[i].nearest = ALGSURF_I_ENDLESS;
     for (int i = 0; i < d->n; i++)
         for (int j = 0; j < i; j++) {
@@ -98,9 +91,10 @@ static int set_products(algsurf_i_discs *d) {
 }
 
 /* How much larger 1/|c_n| may be than at the middle, relatively: r / (|c_n| - r). */
-static algsurf_scaled spread_of_lead(const algsurf_i_gaussian *p) {
+static algsurf_scaled spread_of_lead(const algsurf_i_integers *p) {
     if (!p->radius) return scaled_none();
-    algsurf_scaled r = p->radius[p->re.degree], least = by(size_of(lead_of(p)), 1 - 0x1p-45);
+    const int n = p->re.degree;
+    algsurf_scaled r = p->radius[n], least = by(size_of(p->head[n]), 1 - 0x1p-45);
     return by(over(r, by(sum(least, negative(r)), 1 - 0x1p-45)), UP);
 }
 
@@ -215,7 +209,7 @@ static void set_mates(algsurf_i_discs *d) {
  * beside u^2 S it is nothing that underflows, or that coefficients below 2^-1000 are left out.  33 in place
  * of 32 covers that, and the roundings of the bound. */
 static int try_doubles(algsurf_i_discs *d) {
-    const algsurf_i_flat *p = d->p->flat;
+    const algsurf_i_flat *p = &d->p->flat;
     const size_t n = (size_t)d->n;
     algsurf_memory_mark mark = algsurf_memory_here(d->m);
     double *x = algsurf_i_take(d->m, 5 * n * sizeof *x), *y = x + n, *re = y + n, *im = re + n, *sum = im + n;
@@ -243,7 +237,7 @@ static int try_doubles(algsurf_i_discs *d) {
 
 static int set_values(algsurf_i_discs *d) {
     set_mates(d);
-    if (d->p->flat && d->p->flat->exact && !try_doubles(d)) return 0;
+    if (d->p->flat.exact && !try_doubles(d)) return 0;
     for (int i = 0; i < d->n; i++) {
         algsurf_i_disc *root = d->root + i;
         if (root->known) continue;

@@ -9,23 +9,17 @@
 #include "impl.h"
 #include "scaled.h"
 
-/* sum (re_k + i im_k) z^k with integers; the leading coefficient is not 0. */
-typedef struct algsurf_i_gaussian {
-    algsurf_zpoly re, im;         /* of one degree and width; im.c null: real */
-    const int *bits;              /* degree+1: |re_k|, |im_k| <= 2^bits; -1: both are 0 */
-    const algsurf_scaled *radius; /* degree+1 sizes: coefficients are off by that much; null: exact */
-    int real;                     /* coefficients are real, and so is what the radii mean */
-    const algsurf_i_flat *flat;   /* null: they do not fit doubles */
-} algsurf_i_gaussian;
-
-/* A polynomial of integers, and what doubles say of it. */
+/* sum (re_k + i im_k) z^k with integers, the leading coefficient not 0, and what doubles say of them. */
 typedef struct algsurf_i_integers {
-    algsurf_i_gaussian p;
-    int *bits;
-    algsurf_scaled *head, *size, *radius; /* degree+1; radii are not set by algsurf_i_make_integers */
-    unsigned char *exact;                 /* coefficient k is its head */
-    algsurf_i_flat flat;
+    algsurf_zpoly re, im;        /* of one degree and width; im.c null: real */
+    int real;                    /* coefficients are real, and so is what the radii mean */
+    int *bits;                   /* degree+1, as all that follows: |re_k|, |im_k| <= 2^bits; -1: both are 0 */
+    algsurf_scaled *head, *size; /* size: with the radius */
+    const algsurf_scaled *radius; /* coefficients are off by that much; null: exact */
+    unsigned char *exact;         /* coefficient k is its head */
+    algsurf_i_flat flat;          /* once propose.c has made it, if they fit doubles */
 } algsurf_i_integers;
+
 /* (x + iy) 2^exponent, in w limbs each. */
 typedef struct algsurf_i_point {
     algsurf_limb *x, *y;
@@ -81,6 +75,8 @@ typedef struct algsurf_i_answer {
 algsurf_limb algsurf_i_limb_at(const algsurf_limb *a, int w, int64_t from);
 /* r += floor(a 2^shift), for w limbs. */
 void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift);
+/* Of the larger part; y null, here and below: 0. */
+int algsurf_i_bits(const algsurf_limb *x, const algsurf_limb *y, int w);
 /* The head of (x + iy) 2^exponent. */
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent);
 /* It is exactly that. */
@@ -105,12 +101,12 @@ typedef struct algsurf_i_sums {
     int last; /* -1: no room yet */
 } algsurf_i_sums;
 /* Limbs for which nothing of p(z) is cut. */
-int algsurf_i_whole_width(const algsurf_i_gaussian *p, const algsurf_i_point *z);
-int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+int algsurf_i_whole_width(const algsurf_i_integers *p, const algsurf_i_point *z);
+int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_integers *p, const algsurf_i_point *z, int last,
                      int w);
 
 typedef struct algsurf_i_discs {
-    const algsurf_i_gaussian *p;
+    const algsurf_i_integers *p;
     algsurf_memory *m;
     int n, moved; /* degree; steps so far */
     int settled;  /* doubles have brought all points to rest, apart from each other */
@@ -168,7 +164,7 @@ int algsurf_i_subtract_quotient(algsurf_i_sums *s, algsurf_i_point *z, int j, in
 int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit);
 
 /* Approximations of all roots, some of them perhaps bad, from start values `given` where that is not null and
- * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets p.flat.
+ * they are not 0; sizes are not 0 for k = 0 and n.  Where radii are known, less is not asked.  Sets flat.
  * Adds to *corrections how many there were of a root; null: there is none, the start values are the answer.
  * *settled: each came to rest, apart from the others. */
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *p, const algsurf_scaled *given,
@@ -205,7 +201,7 @@ int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const alg
 
 /* All roots of an exact polynomial, each with its multiplicity, if there are multiple ones, or if it is
  * complex and shares roots with its conjugate, as real ones; else the answer's count stays 0. */
-int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer);
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_integers *p, algsurf_i_answer *answer);
 
 /* ---- on_axis.c ---- */
 

@@ -16,21 +16,19 @@
 
 /* What is said of z->p. */
 static int make_heads(algsurf_memory *m, algsurf_i_integers *z) {
-    const size_t terms = (size_t)z->p.re.degree + 1;
-    const int w = z->p.re.width;
-    z->p.bits = z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
-    z->head = algsurf_i_take(m, 3 * terms * sizeof *z->head);
+    const size_t terms = (size_t)z->re.degree + 1;
+    const int w = z->re.width;
+    z->bits = algsurf_i_take(m, terms * sizeof *z->bits);
+    z->head = algsurf_i_take(m, 2 * terms * sizeof *z->head);
     z->exact = algsurf_i_take(m, terms);
     if (!z->bits || !z->head || !z->exact) return 0;
-    z->size = z->head + terms, z->radius = z->size + terms;
-    for (int k = 0; k <= z->p.re.degree; k++) {
-        const algsurf_limb *x = algsurf_zpoly_at(&z->p.re, k),
-                           *y = z->p.im.c ? algsurf_zpoly_at(&z->p.im, k) : x;
-        int a = algsurf_z_bits(x, w), b = algsurf_z_bits(y, w);
+    z->size = z->head + terms;
+    for (int k = 0; k <= z->re.degree; k++) {
+        const algsurf_limb *x = algsurf_zpoly_at(&z->re, k),
+                           *y = z->im.c ? algsurf_zpoly_at(&z->im, k) : NULL;
         z->head[k] = algsurf_i_head(x, y, w, 0);
-        if (!z->p.im.c) z->head[k] = scaled_of(z->head[k].re, 0, z->head[k].exponent);
         z->size[k] = size_of(z->head[k]);
-        z->bits[k] = is_zero(z->head[k]) ? -1 : a > b ? a : b;
+        z->bits[k] = is_zero(z->head[k]) ? -1 : algsurf_i_bits(x, y, w);
         z->exact[k] = (unsigned char)algsurf_i_head_is_exact(x, y, w);
     }
     return 1;
@@ -39,13 +37,13 @@ static int make_heads(algsurf_memory *m, algsurf_i_integers *z) {
 int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
                             algsurf_i_integers *z) {
     const algsurf_zpoly *part[2] = {u, v};
-    *z = (algsurf_i_integers){.p = {.re = *u, .real = !v}};
+    *z = (algsurf_i_integers){.re = *u, .real = !v};
     if (!v) return make_heads(m, z);
     int n = u->degree > v->degree ? u->degree : v->degree, w = u->width > v->width ? u->width : v->width;
-    if (!algsurf_zpoly_new(m, n, w, &z->p.re) || !algsurf_zpoly_new(m, n, w, &z->p.im)) return 0;
+    if (!algsurf_zpoly_new(m, n, w, &z->re) || !algsurf_zpoly_new(m, n, w, &z->im)) return 0;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k <= part[i]->degree; k++)
-            algsurf_z_copy(algsurf_zpoly_at(i ? &z->p.im : &z->p.re, k), w, algsurf_zpoly_at(part[i], k),
+            algsurf_z_copy(algsurf_zpoly_at(i ? &z->im : &z->re, k), w, algsurf_zpoly_at(part[i], k),
                            part[i]->width);
     return make_heads(m, z);
 }
@@ -63,7 +61,7 @@ static algsurf_limb root_of_minus_one(const algsurf_prime *q) {
 
 /* gcd(p, p') is constant modulo a prime ideal of Z[i] that does not divide the leading coefficient: no root
  * is multiple.  Two images at most; if neither shows it, p has a multiple root, or luck was bad. */
-static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *answer) {
+static int is_squarefree(algsurf_memory *m, const algsurf_i_integers *p, int *answer) {
     const int n = p->re.degree;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_limb *x = algsurf_memory_take(m, 3 * (size_t)(n + 1)), *y = x + n + 1, *derivative = y + n + 1,
@@ -93,8 +91,8 @@ static int is_squarefree(algsurf_memory *m, const algsurf_i_gaussian *p, int *an
 static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const algsurf_i_point *z,
                       algsurf_scaled R, int w, int *answer) {
     algsurf_scaled far = sum(size_of(z->head), R), change = scaled_none();
-    if (!algsurf_i_taylor(sums, &h->p, z, 0, w)) return 0;
-    for (int k = h->p.re.degree; k > 0; k--) change = sum(times(change, far), by(h->size[k], k));
+    if (!algsurf_i_taylor(sums, h, z, 0, w)) return 0;
+    for (int k = h->re.degree; k > 0; k--) change = sum(times(change, far), by(h->size[k], k));
     change = sum(times(change, R), sums->lost);
     *answer = less(by(change, 1 + 0x1p-20), size_of(algsurf_i_sum_head(sums->at)));
     return 1;
@@ -136,7 +134,7 @@ static int solve_factor(algsurf_memory *m, algsurf_i_integers *f, int multiplici
     int open;
     if (!algsurf_i_discs_separate(&d, m, f, ALGSURF_I_MOST_SWEEPS, &open, &answer->proposed)) return 0;
     if (h && !choose_all(&d, h)) return 0;
-    if (h) f->p.real = 0;
+    if (h) f->real = 0;
     return algsurf_i_deliver(&d, multiplicity, answer);
 }
 
@@ -189,7 +187,7 @@ static int make_norm(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zp
     return 1;
 }
 
-int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_answer *answer) {
+int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_integers *p, algsurf_i_answer *answer) {
     int squarefree, common;
     algsurf_zpoly N;
     algsurf_i_integers h;
@@ -202,8 +200,8 @@ int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_gaussian *p, algs
     if (parts.u.degree > 0 && parts.v.degree > 0 && !algsurf_zpoly_split(m, &p->re, &p->im, &parts)) return 0;
     if (parts.g.degree > 0 && !solve_shares(m, &parts.g, NULL, 1, answer)) return 0;
     if (!algsurf_i_make_integers(m, &parts.u, &parts.v, &h)) return 0;
-    if (h.p.re.degree > 0 && squarefree && !solve_factor(m, &h, 1, NULL, answer)) return 0;
-    if (h.p.re.degree > 0 && !squarefree &&
+    if (h.re.degree > 0 && squarefree && !solve_factor(m, &h, 1, NULL, answer)) return 0;
+    if (h.re.degree > 0 && !squarefree &&
         (!make_norm(m, &parts.u, &parts.v, &N) || !solve_shares(m, &N, &h, 1, answer)))
         return 0;
     algsurf_memory_release(m, mark);

@@ -43,8 +43,8 @@ static void pair(const algsurf_scaled *z, int n, algsurf_scaled *paired) {
 
 int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p,
                           const algsurf_scaled *given, int *corrections) {
-    const int n = p->p.re.degree;
-    *d = (algsurf_i_discs){.p = &p->p, .m = m, .n = n, .sums = {.m = m, .last = -1}};
+    const int n = p->re.degree;
+    *d = (algsurf_i_discs){.p = p, .m = m, .n = n, .sums = {.m = m, .last = -1}};
     d->root = algsurf_i_take(m, (size_t)n * sizeof *d->root);
     algsurf_scaled *z = algsurf_i_take(m, 2 * (size_t)n * sizeof *z);
     if (!d->root || !z || !algsurf_i_propose(m, p, given, z, corrections, &d->settled)) return 0;

@@ -44,8 +44,8 @@ static void add_scaled(algsurf_limb *r, int w, double x, int64_t shift) {
 static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z, algsurf_i_point *next) {
     trim(next);
     next->head = algsurf_i_head(next->x, next->y, next->w, next->exponent);
-    next->above = algsurf_i_head(next->y, next->y, next->w, next->exponent);
-    next->above = scaled_of(fabs(next->above.re), 0, next->above.exponent);
+    next->above = algsurf_i_head(next->y, NULL, next->w, next->exponent);
+    next->above.re = fabs(next->above.re);
     const algsurf_scaled head = next->head;
     next->exact = algsurf_i_head_is_exact(next->x, next->y, next->w);
     double unit = llabs(head.exponent) < 250 ? power_of_two(head.exponent) : NAN;

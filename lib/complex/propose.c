@@ -76,7 +76,7 @@ static double scaled_down(double x, int64_t k) { return k < -1000 ? 0 : ldexp(x,
 
 /* p in doubles, in z->flat. */
 static int make_flat(algsurf_memory *m, algsurf_i_integers *z) {
-    const int n = z->p.re.degree;
+    const int n = z->re.degree;
     algsurf_i_flat *p = &z->flat;
     double *room = algsurf_i_take(m, 4 * (size_t)(n + 1) * sizeof *room);
     if (!room) return 0;
@@ -92,7 +92,7 @@ static int make_flat(algsurf_memory *m, algsurf_i_integers *z) {
         im[k] = scaled_down(z->head[k].im, z->head[k].exponent + by);
         size[k] = scaled_down(z->size[k].re, z->size[k].exponent + by) * (1 + 0x1p-50);
         noise[k] = size[k];
-        if (z->p.radius) noise[k] += scaled_down(z->radius[k].re, z->radius[k].exponent + by + 52);
+        if (z->radius) noise[k] += scaled_down(z->radius[k].re, z->radius[k].exponent + by + 52);
         p->exact = p->exact && z->exact[k];
     }
     p->exact = p->exact && size[0] >= LEAST_END && size[n] >= LEAST_END;
@@ -163,15 +163,15 @@ static int begin(proposal *p, algsurf_memory *m, const algsurf_i_flat *flat) {
 int algsurf_i_propose(algsurf_memory *m, algsurf_i_integers *poly, const algsurf_scaled *given,
                       algsurf_scaled *z, int *corrections, int *settled) {
     proposal p;
-    int fit, n = poly->p.re.degree;
+    int fit, n = poly->re.degree;
     *settled = 0;
-    if (!algsurf_i_start(m, poly->size, n, z, &fit) || !make_flat(m, poly)) return 0;
+    if (!algsurf_i_start(m, poly->size, n, z, &fit)) return 0;
     const int64_t least = z[0].exponent - 12,
                   most = z[n - 1].exponent + 12; /* roots are within 2n times that */
     for (int i = 0; given && i < n; i++)
         if (given[i].exponent > least && given[i].exponent < most) z[i] = given[i];
     if (!fit) return 1;
-    poly->p.flat = &poly->flat;
+    if (!make_flat(m, poly)) return 0;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     if (!begin(&p, m, &poly->flat)) return 0;
     const int64_t unit = poly->flat.unit;

@@ -7,7 +7,7 @@
 #include "discs.h"
 
 /* p is q(z^2). */
-static int halve(algsurf_memory *m, const algsurf_i_gaussian *p, algsurf_i_integers *q) {
+static int halve(algsurf_memory *m, const algsurf_i_integers *p, algsurf_i_integers *q) {
     const algsurf_zpoly *part[2] = {&p->re, &p->im};
     algsurf_zpoly half[2];
     for (int i = 0; i < 2 && part[i]->c; i++) {
@@ -30,20 +30,20 @@ static algsurf_scaled root_of(algsurf_scaled a) {
 }
 
 int algsurf_i_is_in_squares(const algsurf_i_integers *p) {
-    int n = p->p.re.degree, k = 1;
+    int n = p->re.degree, k = 1;
     while (k < n && p->bits[k] < 0) k += 2;
     return n % 2 == 0 && k > n;
 }
 
 int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integers *p, int most,
                              int *open, int *corrections) {
-    const int n = p->p.re.degree;
+    const int n = p->re.degree;
     if (!algsurf_i_is_in_squares(p))
         return algsurf_i_discs_begin(d, m, p, NULL, corrections) && algsurf_i_discs_run(d, most, open);
     algsurf_i_integers q;
     algsurf_scaled *z = algsurf_i_take(m, (size_t)n * sizeof *z);
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    if (!z || !halve(m, &p->p, &q) || !algsurf_i_discs_separate(d, m, &q, most, open, corrections)) return 0;
+    if (!z || !halve(m, p, &q) || !algsurf_i_discs_separate(d, m, &q, most, open, corrections)) return 0;
     for (int i = 0; i < d->n; i++) {
         const algsurf_i_disc *root = d->root + i;
         const algsurf_scaled at = sum(root->z.head, negative(root->step));

@@ -39,22 +39,22 @@ void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa
     }
 }
 
-static int bits_of(const algsurf_limb *x, const algsurf_limb *y, int w) {
-    int a = algsurf_z_bits(x, w), b = algsurf_z_bits(y, w);
+int algsurf_i_bits(const algsurf_limb *x, const algsurf_limb *y, int w) {
+    int a = algsurf_z_bits(x, w), b = y ? algsurf_z_bits(y, w) : 0;
     return a > b ? a : b;
 }
 
 algsurf_scaled algsurf_i_head(const algsurf_limb *x, const algsurf_limb *y, int w, int64_t exponent) {
-    int bits = bits_of(x, y, w) + 1;
+    int bits = algsurf_i_bits(x, y, w) + 1;
     return scaled_of((double)(int64_t)algsurf_i_limb_at(x, w, bits - 63),
-                     (double)(int64_t)algsurf_i_limb_at(y, w, bits - 63), exponent + bits - 63);
+                     y ? (double)(int64_t)algsurf_i_limb_at(y, w, bits - 63) : 0, exponent + bits - 63);
 }
 
 /* Both parts have 53 bits, and the head's window of 63 begins below the last one. */
 int algsurf_i_head_is_exact(const algsurf_limb *x, const algsurf_limb *y, int w) {
     const algsurf_limb *part[2] = {x, y};
-    const int top = bits_of(x, y, w);
-    for (int i = 0; i < 2; i++) {
+    const int top = algsurf_i_bits(x, y, w);
+    for (int i = 0; i < 2 && part[i]; i++) {
         int last = algsurf_z_trailing(part[i], w);
         if (last == ALGSURF_Z_NO_BIT) continue;
         if (algsurf_z_bits(part[i], w) - last > 53 || top - last > 60) return 0;
@@ -73,7 +73,7 @@ typedef struct multiplier {
 
 /* -1: both are 0. */
 static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
-    const int bits = bits_of(x, y, w); /* of 0 and of -1 it is 0 */
+    const int bits = algsurf_i_bits(x, y, w); /* of 0 and of -1 it is 0 */
     return bits == 0 && x[0] == 0 && y[0] == 0 ? -1 : bits;
 }
 
@@ -153,7 +153,7 @@ static int make_room(algsurf_i_sums *s, int last, size_t limbs) {
 }
 
 /* The largest |c_k| |z|^k up to k = n, as bits, for |z| = 2^far. */
-static double largest_term(const algsurf_i_gaussian *p, int n, double far) {
+static double largest_term(const algsurf_i_integers *p, int n, double far) {
     double most = p->bits[n] + n * far;
     for (int k = 0; k < n; k++)
         if (p->bits[k] >= 0) most = fmax(most, p->bits[k] + k * far);
@@ -168,13 +168,13 @@ static double log2_of(const algsurf_i_point *z) {
 
 /* What is cut of the sum after c_k is below 2^F |z|^-k; its last bit is 2^(n-k) e or more for points with a
  * last bit of 2^e, e < 0, or 1: that is not less for F <= n e, or 0, as |z| >= 2^e. */
-int algsurf_i_whole_width(const algsurf_i_gaussian *p, const algsurf_i_point *z) {
+int algsurf_i_whole_width(const algsurf_i_integers *p, const algsurf_i_point *z) {
     const int n = p->re.degree;
     const double last = z->exponent < 0 ? n * (double)z->exponent : 0;
     return (int)((largest_term(p, n, log2_of(z)) + SPARE - last) / 64) + 1;
 }
 
-int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_gaussian *p, const algsurf_i_point *z, int last,
+int algsurf_i_taylor(algsurf_i_sums *s, const algsurf_i_integers *p, const algsurf_i_point *z, int last,
                      int w) {
     const int most = w + 1, wide = most + z->w, real = !p->im.c && algsurf_z_sign(z->y, z->w) == 0;
     if (!make_room(s, last, 2 * ((size_t)(last + 1) * (size_t)most + (size_t)wide + (size_t)z->w))) return 0;
