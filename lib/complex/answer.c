@@ -30,10 +30,9 @@ static algsurf_interval part(const algsurf_i_point *z, const algsurf_limb *x, al
                      ? 1
                      : (algsurf_limb)ceil(ldexp(radius.re, (int)(radius.exponent - low))));
     const int w = (int)((top - low) / 64) + 4;
-    algsurf_limb m = (algsurf_limb)(int64_t)(-step.re * 0x1p60);
     algsurf_z_zero(a, w);
     algsurf_i_add_shifted(a, w, x, z->w, z->exponent - low);
-    if (step.re != 0) algsurf_i_add_shifted(a, w, &m, 1, step.exponent - 60 - low);
+    algsurf_i_add_double(a, w, -step.re, step.exponent - low);
     algsurf_z_copy(b, w, a, w);
     double middle = algsurf_z_to_double(a, w, &e);
     *value = ldexp(middle, clamped(e + low + unit));

@@ -9,6 +9,7 @@
 #include <float.h>
 
 #include "papers.h"
+#include "scaled.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../poly/value.h"
@@ -48,18 +49,8 @@ int algsurf_i_exponent_in(const algsurf_complex *p, int n, int unit) {
     return most;
 }
 
-/* ---- complex arithmetic ---- */
-
-static algsurf_complex plus(algsurf_complex a, algsurf_complex b) {
-    return (algsurf_complex){a.re + b.re, a.im + b.im};
-}
-
-static algsurf_complex times(algsurf_complex a, algsurf_complex b) {
-    return (algsurf_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 /* a / b, without squaring b (Smith 1962). */
-static algsurf_complex over(algsurf_complex a, algsurf_complex b) {
+static algsurf_complex quotient(algsurf_complex a, algsurf_complex b) {
     if (fabs(b.re) >= fabs(b.im)) {
         double ratio = b.im / b.re, whole = b.re + b.im * ratio;
         return (algsurf_complex){(a.re + a.im * ratio) / whole, (a.im - a.re * ratio) / whole};
@@ -89,7 +80,7 @@ static void begin(iteration *it, algsurf_complex start) {
     take_unit(it, algsurf_i_unit_near(it->p, it->n, start));
     it->y = algsurf_i_shift(start, -it->unit);
     it->q[it->n - 1] = it->c[it->n];
-    for (int i = it->n - 1; i > 0; i--) it->q[i - 1] = plus(it->c[i], times(it->y, it->q[i]));
+    for (int i = it->n - 1; i > 0; i--) it->q[i - 1] = plus(it->c[i], product(it->y, it->q[i]));
 }
 
 /* Brings y back to about 1; 0 when z has left the range of double. */
@@ -122,8 +113,8 @@ static void eliminate(iteration *it) {
         algsurf_complex a = i > 0 ? it->q[i - 1] : zero, b = it->q[i];
         algsurf_complex d = {rounded(algsurf_i_defect_part(a.re, y.re, b.re, -y.im, b.im, it->c[i].re)),
                              rounded(algsurf_i_defect_part(a.im, y.re, b.im, y.im, b.re, it->c[i].im))};
-        it->s[i] = s = plus(d, times(y, s));
-        it->w[i] = w = plus(b, times(y, w));
+        it->s[i] = s = plus(d, product(y, s));
+        it->w[i] = w = plus(b, product(y, w));
     }
 }
 
@@ -133,9 +124,9 @@ typedef enum outcome { FAILED = -1, GOING_ON, CONVERGED } outcome;
 static outcome step(iteration *it, double epsilon) {
     double change = 0, size = algsurf_i_size(it->q[it->n - 1]);
     eliminate(it);
-    algsurf_complex t = over(it->s[0], it->w[0]), y = plus(it->y, t);
+    algsurf_complex t = quotient(it->s[0], it->w[0]), y = plus(it->y, t);
     for (int i = 0; i < it->n - 1; i++) {
-        algsurf_complex s = it->s[i + 1], d = plus((algsurf_complex){-s.re, -s.im}, times(t, it->w[i + 1]));
+        algsurf_complex s = it->s[i + 1], d = plus((algsurf_complex){-s.re, -s.im}, product(t, it->w[i + 1]));
         it->s[i] = plus(it->q[i], d);
         if (!algsurf_i_finite(it->s[i])) return FAILED;
         change = fmax(change, algsurf_i_size(d));
@@ -160,7 +151,7 @@ static void give_quotient(const iteration *it, algsurf_complex z, algsurf_comple
     for (int i = it->n - 2; i >= 0; i--) {
         const int shift = it->exponent - (i + 1) * it->unit;
         if (shift > 800 && algsurf_i_size(it->q[i]) < 0x1p-900)
-            q[i] = held(plus(it->p[i + 1], times(z, q[i + 1])), 0);
+            q[i] = held(plus(it->p[i + 1], product(z, q[i + 1])), 0);
         else
             q[i] = held(it->q[i], shift);
     }

@@ -62,8 +62,6 @@ int algsurf_i_clear_taylor(algsurf_i_discs *d, const algsurf_i_point *z, int las
 
 /* ---- discs ---- */
 
-static algsurf_scaled normal(algsurf_scaled a) { return scaled_of(a.re, a.im, a.exponent); }
-
 /* For sizes that are not normalised. */
 static int is_nearer(algsurf_scaled a, algsurf_scaled b) {
     return a.exponent == b.exponent ? a.re < b.re : less(normal(a), normal(b));

@@ -75,6 +75,8 @@ typedef struct algsurf_i_answer {
 algsurf_limb algsurf_i_limb_at(const algsurf_limb *a, int w, int64_t from);
 /* r += floor(a 2^shift), for w limbs. */
 void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift);
+/* r += x 2^shift, |x| < 4, rounded down. */
+void algsurf_i_add_double(algsurf_limb *r, int w, double x, int64_t shift);
 /* Of the larger part; y null, here and below: 0. */
 int algsurf_i_bits(const algsurf_limb *x, const algsurf_limb *y, int w);
 /* The head of (x + iy) 2^exponent. */
@@ -144,7 +146,7 @@ static inline int algsurf_i_gap(algsurf_memory *m, const algsurf_i_point *a, con
 static inline int algsurf_i_difference(algsurf_memory *m, const algsurf_i_point *a, const algsurf_i_point *b,
                                        algsurf_scaled *result) {
     if (!algsurf_i_gap(m, a, b, result)) return 0;
-    if (result->exponent == 0) *result = scaled_of(result->re, result->im, 0);
+    *result = normal(*result);
     return 1;
 }
 
@@ -159,6 +161,9 @@ int algsurf_i_subtract_quotient(algsurf_i_sums *s, algsurf_i_point *z, int j, in
                                 int on_axis);
 
 /* ---- propose.c ---- */
+
+/* A unit vector, another one for each i. */
+void algsurf_i_aside(int i, double way[2]);
 
 /* Start values for the n roots of sum c_k z^k, |c_k| <= size_k; *fit: doubles suffice to go on from them. */
 int algsurf_i_start(algsurf_memory *memory, const algsurf_scaled *size, int n, algsurf_scaled *z, int *fit);

@@ -15,7 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "../base/elementary.h"
 #include "discs.h"
 
 #define NARROW_PART 56 /* bits by which blur is below each part of a root, */
@@ -23,9 +22,8 @@
 #define LEAST_BITS 64  /* of a point */
 #define PATIENCE 6     /* sweeps after which a group is taken for a cluster */
 #define MIDDLE_STEPS 40
-#define STEPS_ON_W 4            /* between values of p; 24 bits of W are right */
-#define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
-#define CLEAR 0x1p10            /* a coefficient exceeds its error by that */
+#define STEPS_ON_W 4 /* between values of p; 24 bits of W are right */
+#define CLEAR 0x1p10 /* a coefficient exceeds its error by that */
 
 static algsurf_scaled part(double x, int64_t exponent) { return scaled_of(fabs(x), 0, exponent); }
 
@@ -95,17 +93,9 @@ static algsurf_complex in_units(algsurf_scaled a, int64_t unit) {
     return (algsurf_complex){a.re * scale, a.im * scale};
 }
 
-static algsurf_complex product(algsurf_complex a, algsurf_complex b) {
-    return (algsurf_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 static algsurf_complex quotient(algsurf_complex a, algsurf_complex b) {
     const double unit = 1 / (b.re * b.re + b.im * b.im);
     return (algsurf_complex){(a.re * b.re + a.im * b.im) * unit, (a.im * b.re - a.re * b.im) * unit};
-}
-
-static algsurf_complex plus(algsurf_complex a, algsurf_complex b) {
-    return (algsurf_complex){a.re + b.re, a.im + b.im};
 }
 
 /* Makes x_i = z_i - next better; *settled stays where it was good.  Where another point is, or where there is
@@ -118,7 +108,7 @@ static int improve(algsurf_i_discs *d, int i, int *settled) {
     algsurf_scaled size = root->z.head, a;
     double way[2];
     if (is_zero(size)) size = scaled_of(1, 0, -64);
-    algsurf_i_circle(TURN * i + 0.7, way);
+    algsurf_i_aside(i, way);
     const algsurf_scaled aside = scaled_of(way[0], way[1], size.exponent - 10);
     if (!less(root->disc, ALGSURF_I_ENDLESS)) return root->next = aside, 1;
     for (int j = 0; j < d->n; j++) {

@@ -34,12 +34,6 @@ static void trim(algsurf_i_point *z) {
     z->w = algsurf_z_width(a > b ? a : b);
 }
 
-/* r += x 2^shift, |x| < 4, rounded down. */
-static void add_scaled(algsurf_limb *r, int w, double x, int64_t shift) {
-    algsurf_limb m = (algsurf_limb)(int64_t)(x * 0x1p60);
-    algsurf_i_add_shifted(r, w, &m, 1, shift - 60);
-}
-
 /* z = next, in its own memory if that suffices. */
 static void keep(algsurf_memory *m, algsurf_memory_mark mark, algsurf_i_point *z, algsurf_i_point *next) {
     trim(next);
@@ -72,10 +66,10 @@ int algsurf_i_set_point(algsurf_memory *m, algsurf_i_point *z, const algsurf_i_p
     algsurf_z_zero(next.x, w);
     algsurf_z_zero(next.y, w);
     algsurf_i_add_shifted(next.x, w, from->x, from->w, from->exponent - low);
-    add_scaled(next.x, w, way.re, way.exponent - low);
+    algsurf_i_add_double(next.x, w, way.re, way.exponent - low);
     if (!on_axis) {
         algsurf_i_add_shifted(next.y, w, from->y, from->w, from->exponent - low);
-        add_scaled(next.y, w, way.im, way.exponent - low);
+        algsurf_i_add_double(next.y, w, way.im, way.exponent - low);
     }
     keep(m, mark, z, &next);
     return 1;
@@ -148,12 +142,9 @@ int algsurf_i_subtract_quotient(algsurf_i_sums *s, algsurf_i_point *z, int j, in
 int algsurf_i_is_conjugate(const algsurf_i_point *a, const algsurf_i_point *b) {
     if (a->head.re != b->head.re || a->head.im != -b->head.im || a->exponent != b->exponent || a->w != b->w)
         return 0;
-    algsurf_limb carry = 1;
-    for (int i = 0; i < a->w; i++) { /* y_a = ~y_b + 1 */
-        algsurf_limb minus = ~b->y[i] + carry;
-        carry = carry && minus == 0;
-        if (a->x[i] != b->x[i] || a->y[i] != minus) return 0;
-    }
+    unsigned char carry = 0;
+    for (int i = 0; i < a->w; i++)
+        if (a->x[i] != b->x[i] || algsurf_limb_add(a->y[i], b->y[i], &carry) != 0) return 0;
     return 1;
 }
 

@@ -26,23 +26,24 @@ typedef struct entry {
 } entry;
 
 struct algsurf_precise_roots {
-    int bits, count, factors; /* factors: so many have delivered their roots */
-    int failed;               /* a root could not be told from another */
+    algsurf_memory m;          /* for all that follows */
+    algsurf_memory_mark empty; /* without limbs of roots */
+    int bits, count, factors;  /* factors: so many have delivered their roots */
+    int failed;                /* a root could not be told from another */
     entry *found;
     algsurf_precise_root *root; /* in order */
 };
 
-/* x 2^up, the exponent lower by that, in memory of its own. */
-static int copy_of(const algsurf_i_point *z, int up, algsurf_i_point *copy) {
+/* x 2^up, the exponent lower by that. */
+static int copy_of(algsurf_memory *m, const algsurf_i_point *z, int up, algsurf_i_point *copy) {
     const int w = z->w + up / 64 + 1;
-    algsurf_limb *limbs = malloc(2 * (size_t)w * sizeof *limbs);
-    if (!limbs) return 0;
     *copy = *z;
-    copy->x = limbs, copy->y = limbs + w, copy->w = copy->room = w;
-    algsurf_z_copy(copy->x, w, z->x, z->w);
-    algsurf_z_copy(copy->y, w, z->y, z->w);
-    algsurf_z_shift_up(copy->x, w, up);
-    algsurf_z_shift_up(copy->y, w, up);
+    copy->x = algsurf_memory_take(m, 2 * (size_t)w);
+    if (!copy->x) return 0;
+    copy->y = copy->x + w, copy->w = copy->room = w;
+    algsurf_z_zero(copy->x, 2 * w);
+    algsurf_i_add_shifted(copy->x, w, z->x, z->w, up);
+    algsurf_i_add_shifted(copy->y, w, z->y, z->w, up);
     copy->exponent -= up;
     return 1;
 }
@@ -54,7 +55,7 @@ static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scal
     const int exact = is_zero(R);
     const int64_t low = exact ? z->exponent : R.exponent - 10;
     *e = (entry){.multiplicity = multiplicity, .real = real, .factor = to->factors};
-    if (!copy_of(z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
+    if (!copy_of(&to->m, z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
     if (!exact) e->radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
     to->count++;
     return 1;
@@ -132,25 +133,18 @@ static algsurf_integer integer_of(algsurf_limb *a, int w) {
 
 /* ---- the public calls ---- */
 
-static void drop(algsurf_precise_roots *r) {
-    for (int i = 0; i < r->count; i++) free(r->found[i].z.x);
-    r->count = 0;
-}
-
 void algsurf_precise_roots_free(algsurf_precise_roots *r) {
-    if (!r) return;
-    drop(r);
-    free(r->found);
-    free(r->root);
+    if (r) algsurf_memory_release(&r->m, (algsurf_memory_mark){0});
     free(r);
 }
 
 static algsurf_precise_roots *new_roots(int degree) {
-    const size_t room = degree > 0 ? (size_t)degree : 1;
     algsurf_precise_roots *r = calloc(1, sizeof *r);
     if (!r) return NULL;
-    r->found = malloc(room * sizeof *r->found);
-    r->root = malloc(room * sizeof *r->root);
+    (void)algsurf_memory_begin(&r->m, NULL, 0, SIZE_MAX);
+    r->found = algsurf_i_take(&r->m, (size_t)degree * sizeof *r->found);
+    r->root = algsurf_i_take(&r->m, (size_t)degree * sizeof *r->root);
+    r->empty = algsurf_memory_here(&r->m);
     if (r->found && r->root) return r;
     algsurf_precise_roots_free(r);
     return NULL;
@@ -162,6 +156,8 @@ static algsurf_status find(const algsurf_integer *re, const algsurf_integer *im,
     algsurf_memory m;
     algsurf_memory_mark mark = algsurf_memory_begin(&m, NULL, 0, limit);
     int at_zero;
+    algsurf_memory_release(&r->m, r->empty);
+    r->count = 0;
     algsurf_status status = algsurf_i_find_precise_roots(re, im, degree, limit, r, &at_zero);
     if (status == ALGSURF_OK && r->failed) status = ALGSURF_NOT_CONVERGED;
     if (status == ALGSURF_OK && at_zero > 0 && !add(r, &algsurf_i_origin, scaled_none(), at_zero, 1))
@@ -176,7 +172,7 @@ static algsurf_status create(const algsurf_integer *re, const algsurf_integer *i
     algsurf_status status;
     int met = 0;
     r->bits = bits;
-    while ((status = find(re, im, degree, limit, r, &met)) == ALGSURF_OK && met) drop(r), r->bits *= 2;
+    while ((status = find(re, im, degree, limit, r, &met)) == ALGSURF_OK && met) r->bits *= 2;
     qsort(r->found, (size_t)r->count, sizeof *r->found, compare);
     for (int i = 0; i < r->count; i++) {
         const entry *e = r->found + i;

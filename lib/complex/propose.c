@@ -18,11 +18,10 @@
 #include "discs.h"
 #include "../base/elementary.h"
 
-#define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
-#define SWEEPS 60               /* cubic convergence needs about ten; clusters converge linearly */
-#define FLAT 900                /* log2 of what corners of the hull may differ by, */
-#define STEEP 400               /* and slopes of its edges */
-#define LEAST_END 0x1p-700      /* of the first and the last coefficient, for values in doubles */
+#define SWEEPS 60          /* cubic convergence needs about ten; clusters converge linearly */
+#define FLAT 900           /* log2 of what corners of the hull may differ by, */
+#define STEEP 400          /* and slopes of its edges */
+#define LEAST_END 0x1p-700 /* of the first and the last coefficient, for values in doubles */
 
 /* Corners of the upper convex hull of the points (k, height[k]), k = 0 .. n, of which some may be at -inf, by
  * Andrew's monotone chain (1979); returns how many. */
@@ -109,11 +108,16 @@ typedef struct proposal {
     unsigned char *done;
 } proposal;
 
+void algsurf_i_aside(int i, double way[2]) {
+    const double turn = 2.3999632297286535; /* the golden part of a full turn, in radians */
+    algsurf_i_circle(turn * i + 0.7, way);
+}
+
 static void move_to(proposal *p, int i, double x, double y, double length) {
-    double point[2];
-    algsurf_i_circle(TURN * i + 0.7, point); /* each in its own direction */
-    p->a.x[i] = x + length * point[0];
-    p->a.y[i] = y + length * point[1];
+    double way[2];
+    algsurf_i_aside(i, way);
+    p->a.x[i] = x + length * way[0];
+    p->a.y[i] = y + length * way[1];
 }
 
 /* Which points need a step, inside of the unit circle or beyond it.  One that has left the disc of all roots

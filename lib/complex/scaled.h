@@ -8,7 +8,16 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "algsurf/interval.h"
 #include "../base/eft.h"
+
+static inline algsurf_complex plus(algsurf_complex a, algsurf_complex b) {
+    return (algsurf_complex){a.re + b.re, a.im + b.im};
+}
+
+static inline algsurf_complex product(algsurf_complex a, algsurf_complex b) {
+    return (algsurf_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
 
 typedef struct algsurf_scaled {
     double re, im;
@@ -39,6 +48,8 @@ static inline algsurf_scaled scaled_of(double x, double y, int64_t exponent) {
     double unit = power_of_two(-k);
     return (algsurf_scaled){x * unit, y * unit, exponent + k};
 }
+
+static inline algsurf_scaled normal(algsurf_scaled a) { return scaled_of(a.re, a.im, a.exponent); }
 
 static inline int is_zero(algsurf_scaled a) { return a.re == 0 && a.im == 0; }
 

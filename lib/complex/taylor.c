@@ -39,6 +39,11 @@ void algsurf_i_add_shifted(algsurf_limb *r, int w, const algsurf_limb *a, int wa
     }
 }
 
+void algsurf_i_add_double(algsurf_limb *r, int w, double x, int64_t shift) {
+    algsurf_limb m = (algsurf_limb)(int64_t)(x * 0x1p60);
+    algsurf_i_add_shifted(r, w, &m, 1, shift - 60);
+}
+
 int algsurf_i_bits(const algsurf_limb *x, const algsurf_limb *y, int w) {
     int a = algsurf_z_bits(x, w), b = y ? algsurf_z_bits(y, w) : 0;
     return a > b ? a : b;
