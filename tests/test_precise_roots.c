@@ -5,7 +5,7 @@
  * there are different roots, in each of which there is one, have one each.
  *
  * Breaks tried, each caught: z in place of z - W; radii 2^-12 of theirs; conjugates said to be real; roots of
- * the conjugate polynomial kept. */
+ * the conjugate polynomial kept; a conjugate with the root's multiplicity; roots that two factors share. */
 #include "integer_polys.h"
 
 static void set_integer(mpf_t a, algsurf_integer z, int exponent) {
@@ -205,6 +205,30 @@ TEST(close_roots_of_different_factors) {
             set_precision(4096);
             judge("close roots", p, (const poly *const *)f, m, 2);
             drop(f[0]), drop(f[1]), drop(square), drop(p);
+        }
+}
+
+/* Roots with conjugates of another multiplicity, or of the same, beside real ones and single ones. */
+TEST(conjugates_of_other_multiplicities) {
+    static const struct {
+        int factor, a, b, d;
+    } root[] = {{0, 1, 2, 1}, {1, 1, -2, 1}, {2, 0, 1, 3},  {0, 0, -1, 3}, {1, -4, 1, 2}, {1, -4, -1, 2},
+                {2, 5, 0, 7}, {0, 9, 0, 1},  {1, -2, 0, 1}, {0, 3, 3, 1},  {2, 2, -7, 1}, {0, -1, 1, 5}};
+    const int m[FACTORS] = {1, 2, 3};
+    for (int bits = 1; bits <= 400; bits *= 20)
+        for (int most = 2; most <= 12; most++) {
+            poly *f[FACTORS] = {NULL}, *p = make(0);
+            mpz_set_ui(p->re[0], 1);
+            for (int i = 0; i < 3; i++) f[i] = make(0), mpz_set_ui(f[i]->re[0], 1);
+            for (int i = 0; i < most; i++) {
+                f[root[i].factor] = times_root(f[root[i].factor], root[i].a, root[i].b, root[i].d);
+                for (int k = 0; k < m[root[i].factor]; k++)
+                    p = times_root(p, root[i].a, root[i].b, root[i].d);
+            }
+            set_precision(4096);
+            judge("conjugates", p, (const poly *const *)f, m, bits);
+            for (int i = 0; i < 3; i++) drop(f[i]);
+            drop(p);
         }
 }
 

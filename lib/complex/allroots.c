@@ -155,7 +155,7 @@ static int solve(problem *s, algsurf_i_integers *z, const algsurf_scaled *given)
                 : !algsurf_i_discs_run(&d, ALGSURF_I_MOST_SWEEPS, &open))
             return 0;
     }
-    return algsurf_i_deliver(&d, 1, &s->answer);
+    return algsurf_i_deliver(&d, &s->answer);
 }
 
 static algsurf_status take_and_solve(problem *s, const algsurf_complex *start) {
@@ -181,7 +181,7 @@ static algsurf_status solve_all(problem *s, const algsurf_complex *start, size_t
     algsurf_memory_mark mark = algsurf_memory_begin(&m, own, OWN_WORDS, limit);
     algsurf_i_answer *a = &s->answer;
     s->m = &m;
-    a->roots = algsurf_i_take(&m, (size_t)(s->high + 1) * sizeof *a->roots);
+    a->roots = algsurf_i_take(&m, (size_t)((s->real ? 1 : 3) * s->high + 1) * sizeof *a->roots);
     algsurf_status status = a->roots ? take_and_solve(s, start) : ALGSURF_E_NO_MEMORY;
     if (status == ALGSURF_OK && roots) {
         if (s->low > 0) a->roots[a->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};

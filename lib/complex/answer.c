@@ -65,7 +65,7 @@ static algsurf_complex_root box_of(const algsurf_i_discs *d, int i, int64_t unit
         step = known->step;
         radius = by(sum(known->blur, known->error), 1 + 0x1p-40);
     }
-    algsurf_complex_root root = {.multiplicity = 1};
+    algsurf_complex_root root = {.multiplicity = known->multiplicity[0]};
     root.box.re = part(z, z->x, step, radius, unit, &root.root.re);
     step.re = step.im;
     root.box.im = part(z, z->y, step, radius, unit, &root.root.im);
@@ -138,8 +138,8 @@ static int join(algsurf_complex_root *e, int count, int real) {
 
 /* For real coefficients the mirror image of a box holds as many roots as the box, and now meets one box only,
  * whose image in turn meets only the first: the roots of either lie in what it shares with the image of the
- * other.  If a box meets its own image, a single root in it is real. */
-static void use_symmetry(algsurf_complex_root *e, int count) {
+ * other.  If a box meets its own image, a single root in it is real; `single` is its multiplicity. */
+static void use_symmetry(algsurf_complex_root *e, int count, int single) {
     for (int i = 0; i < count; i++) {
         algsurf_cinterval image = mirror(e[i].box);
         int j = 0;
@@ -150,7 +150,7 @@ static void use_symmetry(algsurf_complex_root *e, int count) {
         e[j].root = (algsurf_complex){e[i].root.re, -e[i].root.im};
         if (i != j) continue;
         e[i].root.im = 0;
-        e[i].real = e[i].multiplicity == 1;
+        e[i].real = e[i].multiplicity == single;
         if (e[i].real) e[i].box.im = (algsurf_interval){0, 0};
     }
 }
@@ -167,18 +167,22 @@ static int make_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_ro
     int count = 0;
     for (int g = 0; g < d->n; g++) {
         const int first = count;
-        for (int i = g; i < d->n && !d->root[g].left_out; i++) {
+        for (int i = g; i < d->n; i++) {
             if (d->root[i].group != g) continue;
             roots[count++] = box_of(d, i, unit);
             if (i > g) count = unite(roots, count, first, first + 1);
         }
     }
     count = join(roots, count, d->p->real);
-    if (d->p->real) use_symmetry(roots, count);
-    for (int i = 0; i < count; i++)
-        roots[i].root = (algsurf_complex){inside(roots[i].box.re, roots[i].root.re),
-                                          inside(roots[i].box.im, roots[i].root.im)};
-    return count;
+    if (d->p->real) use_symmetry(roots, count, (d->root->multiplicity[0] + d->root->multiplicity[1]) / 2);
+    int left = 0;
+    for (int i = 0; i < count; i++) {
+        if (roots[i].multiplicity == 0) continue;
+        roots[left] = roots[i];
+        roots[left++].root = (algsurf_complex){inside(roots[i].box.re, roots[i].root.re),
+                                               inside(roots[i].box.im, roots[i].root.im)};
+    }
+    return left;
 }
 
 /* Roots whose boxes meet are made narrower, for they may differ in their smaller part.  Boxes of two units
@@ -192,7 +196,7 @@ static int press(algsurf_i_discs *d, int64_t unit) {
     for (int i = 0; i < d->n; i++) {
         const algsurf_i_disc *root = d->root + i;
         const algsurf_scaled reach = sum(by(size_of(root->z.head), 0x1p-48), scaled_of(1, 0, -1070 - unit));
-        if (is_alone(d, i) && !root->left_out && less(root->nearest, reach)) close[count++] = i;
+        if (is_alone(d, i) && less(root->nearest, reach)) close[count++] = i;
     }
     for (int i = 0; i < count; i++) {
         box[i] = box_of(d, close[i], unit).box;
@@ -203,13 +207,11 @@ static int press(algsurf_i_discs *d, int64_t unit) {
     return !met || algsurf_i_discs_run(d, ALGSURF_I_MOST_SWEEPS, &open);
 }
 
-int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *a) {
-    if (a->precise) return algsurf_i_deliver_precisely(d, multiplicity, a);
+int algsurf_i_deliver(algsurf_i_discs *d, algsurf_i_answer *a) {
+    if (a->precise) return algsurf_i_deliver_precisely(d, a);
     algsurf_complex_root *roots = a->roots + a->count;
     if (!d->p->radius && !press(d, a->unit)) return 0;
-    int count = make_boxes(d, a->unit, roots);
-    for (int i = 0; i < count; i++) roots[i].multiplicity *= multiplicity;
-    a->count += count;
+    a->count += make_boxes(d, a->unit, roots);
     a->moved += d->moved;
     return 1;
 }

@@ -42,16 +42,16 @@ typedef struct algsurf_i_disc {
     algsurf_scaled nearest;     /* no other point is closer; n = 1: endless */
     algsurf_scaled next;        /* work space */
     int width;                  /* limbs of values */
-    int group, members;     /* the group's first root; how many there are in the group that starts here, */
-    int age, before;        /* for how many sweeps, and before them */
-    unsigned char known;    /* value is p(z) */
-    unsigned char stuck;    /* it is 0 within four times the radii */
-    unsigned char placed;   /* where its disc is about as small as radii allow */
-    unsigned char done;     /* needs no step */
-    unsigned char snapped;  /* has been at the double it is next to */
-    unsigned char pressed;  /* its box meets another one: both are to be narrow in each part */
-    int mate;               /* the root at the conjugate point, of a real polynomial; -1: none */
-    unsigned char left_out; /* no root of the polynomial that is asked for */
+    int group, members;    /* the group's first root; how many there are in the group that starts here, */
+    int age, before;       /* for how many sweeps, and before them */
+    unsigned char known;   /* value is p(z) */
+    unsigned char stuck;   /* it is 0 within four times the radii */
+    unsigned char placed;  /* where its disc is about as small as radii allow */
+    unsigned char done;    /* needs no step */
+    unsigned char snapped; /* has been at the double it is next to */
+    unsigned char pressed; /* its box meets another one: both are to be narrow in each part */
+    int mate;              /* the root at the conjugate point, of a real polynomial; -1: none */
+    int multiplicity[2];   /* of the root, and of its conjugate, in what is asked for; 0: no root of that */
 } algsurf_i_disc;
 
 #define ALGSURF_I_RANGE_OF_DOUBLES 2200 /* bits: from 2^1024 down to 2^-1075, and some more */
@@ -62,7 +62,8 @@ typedef struct algsurf_i_disc {
 typedef struct algsurf_i_answer {
     int64_t unit;                   /* roots are times 2^unit */
     int count;                      /* of boxes, which may meet */
-    algsurf_complex_root *roots;    /* room for the degree */
+    algsurf_complex_root *roots;    /* room for the degree; of complex ones for three times that: conjugates
+                                       are among them at first */
     algsurf_precise_roots *precise; /* not null: the roots go there, in place of boxes */
     int proposed, moved;            /* steps it took */
 } algsurf_i_answer;
@@ -204,8 +205,8 @@ int algsurf_i_discs_separate(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_in
 int algsurf_i_make_integers(algsurf_memory *m, const algsurf_zpoly *u, const algsurf_zpoly *v,
                             algsurf_i_integers *z);
 
-/* All roots of an exact polynomial, each with its multiplicity, if there are multiple ones, or if it is
- * complex and shares roots with its conjugate, as real ones; else the answer's count stays 0. */
+/* All roots of an exact polynomial, each with its multiplicity, if there are multiple ones, or a complex one
+ * has real roots, or a root and its conjugate; else the answer's count stays 0. */
 int algsurf_i_solve_factors(algsurf_memory *m, const algsurf_i_integers *p, algsurf_i_answer *answer);
 
 /* ---- on_axis.c ---- */
@@ -217,8 +218,8 @@ int algsurf_i_is_real(algsurf_i_discs *d, int i, int *answer);
 
 /* Root i, which is alone, is within R of x in each part; R is 0 where it is exactly x. */
 int algsurf_i_centre(algsurf_i_discs *d, int i, int on_axis, algsurf_i_point *x, algsurf_scaled *R);
-/* The roots of d, each of this multiplicity, are added to the answer. */
-int algsurf_i_deliver(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer);
+/* The roots of d are added to the answer. */
+int algsurf_i_deliver(algsurf_i_discs *d, algsurf_i_answer *answer);
 /* The real and the imaginary part of the number of 53 bits in each that is inside of the box of root i, which
  * is alone: 0, where that is inside, or the only one; 0: there is none, or one part is 2^1000 times the
  * other. */
@@ -230,6 +231,6 @@ int algsurf_i_join_boxes(algsurf_complex_root *roots, int count, int real);
 /* ---- precise.c ---- */
 
 /* As algsurf_i_deliver, to as many bits as are wanted. */
-int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer);
+int algsurf_i_deliver_precisely(algsurf_i_discs *d, algsurf_i_answer *answer);
 
 #endif

@@ -50,6 +50,7 @@ int algsurf_i_discs_begin(algsurf_i_discs *d, algsurf_memory *m, algsurf_i_integ
     if (d->p->real) pair(z, n, z + n), z += n;
     for (int i = 0; i < n; i++) {
         d->root[i].width = 2;
+        d->root[i].multiplicity[0] = d->root[i].multiplicity[1] = 1;
         if (!algsurf_i_set_point(m, &d->root[i].z, &algsurf_i_origin, z[i], z[i].exponent - 60, 0)) return 0;
     }
     return 1;

@@ -61,7 +61,7 @@ static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scal
     return 1;
 }
 
-int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_answer *answer) {
+int algsurf_i_deliver_precisely(algsurf_i_discs *d, algsurf_i_answer *answer) {
     algsurf_precise_roots *to = answer->precise;
     int open;
     d->more = to->bits > BITS_OF_DOUBLES ? to->bits - BITS_OF_DOUBLES : 1;
@@ -71,15 +71,16 @@ int algsurf_i_deliver_precisely(algsurf_i_discs *d, int multiplicity, algsurf_i_
         algsurf_i_point x = {.room = 0};
         algsurf_scaled R;
         int real = 0;
-        if (root->left_out) continue;
         if (open || !is_alone(d, i)) return to->failed = 1;
         if (d->p->real && !algsurf_i_is_real(d, i, &real)) return 0;
         if (real < 0) return to->failed = 1;
         if (!algsurf_i_centre(d, i, real, &x, &R)) return 0;
         if (d->p->real && !real && x.head.im < 0) continue;
-        if (!add(to, &x, R, multiplicity, real)) return 0;
-        if (!d->p->real || real) continue;
-        if (!algsurf_i_set_conjugate(d->m, &x, &x) || !add(to, &x, R, multiplicity, 0)) return 0;
+        for (int mate = 0; mate < (d->p->real && !real ? 2 : 1); mate++) {
+            const int multiplicity = root->multiplicity[mate];
+            if (multiplicity > 0 && !add(to, &x, R, multiplicity, real)) return 0;
+            if (!algsurf_i_set_conjugate(d->m, &x, &x)) return 0;
+        }
     }
     answer->count = to->count;
     to->factors++;
