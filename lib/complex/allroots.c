@@ -3,10 +3,8 @@
  * A coefficient is m 2^e with integers m and e: a power of two times p(2^unit y) has integers for
  * coefficients, without any rounding.  What doubles propose is proved and made narrow by discs.c.  Where that
  * leaves roots open, or doubles find nothing but the rounding of p, the polynomial may have multiple ones,
- * which never part; a gcd modulo a prime tells.  With exact real coefficients p is a constant times prod
- * f_k^k, where the squarefree f_k holds the roots of multiplicity k, once each (Yun 1976,
- * poly/multiplicity.c), and each f_k is solved by itself.  The boxes of all factors together hold all roots,
- * and are joined where they meet. */
+ * which never part; a gcd modulo a prime tells.  Then factors that have none are solved, one after the other
+ * (factors.c).  The boxes of all factors together hold all roots, and are joined where they meet. */
 #include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>

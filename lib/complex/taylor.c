@@ -79,7 +79,7 @@ typedef struct multiplier {
 /* -1: both are 0. */
 static int bits_or_none(const algsurf_limb *x, const algsurf_limb *y, int w) {
     const int bits = algsurf_i_bits(x, y, w); /* of 0 and of -1 it is 0 */
-    return bits == 0 && x[0] == 0 && y[0] == 0 ? -1 : bits;
+    return bits == 0 && x[0] == 0 && (!y || y[0] == 0) ? -1 : bits;
 }
 
 /* What is left of a number without its last limbs. */
@@ -88,41 +88,36 @@ static algsurf_z_factor without(algsurf_z_factor f, int limbs) {
     return f;
 }
 
-/* The product of a sum that is not 0 with z without its last limbs; its bits. */
-static int multiply(const algsurf_i_sum *a, const multiplier *z, int cut) {
-    const int wide = a->w + z->w - cut;
+/* The product of a sum with z without its last limbs. */
+static algsurf_i_sum multiply(const algsurf_i_sum *a, const multiplier *z, int cut) {
+    algsurf_i_sum c = {z->re, z->im, a->w + z->w - cut, -1, a->exponent + z->exponent + 64 * cut};
     const algsurf_z_factor x = without(z->x, cut), y = without(z->y, cut);
-    algsurf_z_zero(z->re, wide);
-    algsurf_z_add_times(z->re, wide, a->re, a->w, &x, 0);
-    if (z->real) return bits_or_none(z->re, z->re, wide);
-    algsurf_z_zero(z->im, wide);
-    algsurf_z_add_times(z->im, wide, a->re, a->w, &y, 0);
-    if (algsurf_z_sign(a->im, a->w) != 0) {
-        algsurf_z_add_times(z->re, wide, a->im, a->w, &y, 1);
-        algsurf_z_add_times(z->im, wide, a->im, a->w, &x, 0);
+    if (a->bits < 0) return c;
+    algsurf_z_zero(c.re, c.w);
+    algsurf_z_add_times(c.re, c.w, a->re, a->w, &x, 0);
+    if (!z->real) {
+        algsurf_z_zero(c.im, c.w);
+        algsurf_z_add_times(c.im, c.w, a->re, a->w, &y, 0);
+        if (algsurf_z_sign(a->im, a->w) != 0) {
+            algsurf_z_add_times(c.re, c.w, a->im, a->w, &y, 1);
+            algsurf_z_add_times(c.im, c.w, a->im, a->w, &x, 0);
+        }
     }
-    return bits_or_none(z->re, z->im, wide);
-}
-
-/* r = a + b, each times a power of two, less what is below 1; no bits: 0. */
-static void join(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int64_t shift_a,
-                 const algsurf_limb *b, int wb, int64_t shift_b) {
-    algsurf_z_zero(r, w);
-    if (a) algsurf_i_add_shifted(r, w, a, wa, shift_a);
-    if (b) algsurf_i_add_shifted(r, w, b, wb, shift_b);
+    c.bits = bits_or_none(c.re, z->real ? NULL : c.im, c.w);
+    return c;
 }
 
 /* sum = sum z + t, cut below 2^low; t's im may be null: 0.  Whether anything was cut. */
 static int step(algsurf_i_sum *a, const multiplier *z, const algsurf_i_sum *t, int64_t low) {
-    int64_t top = INT64_MIN, end = INT64_MAX, exponent = a->exponent + z->exponent;
-    const int64_t idle = (low - exponent - a->bits - 2) / 64;
+    int64_t top = INT64_MIN, end = INT64_MAX;
+    const int64_t idle = (low - a->exponent - z->exponent - a->bits - 2) / 64;
     const int cut = a->bits < 0 || idle < 0 ? 0 : idle < z->w ? (int)idle : z->w - 1;
-    const int bits = a->bits >= 0 ? multiply(a, z, cut) : -1, wide = a->w + z->w - cut;
-    exponent += 64 * cut;
-    if (bits >= 0) top = exponent + bits, end = exponent;
-    if (t->bits >= 0) {
-        top = top > t->exponent + t->bits ? top : t->exponent + t->bits;
-        end = end < t->exponent ? end : t->exponent;
+    const algsurf_i_sum product = multiply(a, z, cut), *term[2] = {&product, t};
+    for (int i = 0; i < 2; i++) {
+        const algsurf_i_sum *b = term[i];
+        if (b->bits < 0) continue;
+        top = top > b->exponent + b->bits ? top : b->exponent + b->bits;
+        end = end < b->exponent ? end : b->exponent;
     }
     if (end == INT64_MAX) {
         a->w = 1, a->bits = -1, *a->re = *a->im = 0;
@@ -134,12 +129,15 @@ static int step(algsurf_i_sum *a, const multiplier *z, const algsurf_i_sum *t, i
     if (e < end) e = end;
     a->exponent = e;
     a->w = top + 2 > e ? (int)((top + 65 - e) / 64) : 1;
-    join(a->re, a->w, bits >= 0 ? z->re : NULL, wide, exponent - e, t->bits >= 0 ? t->re : NULL, t->w,
-         t->exponent - e);
-    if (!z->real)
-        join(a->im, a->w, bits >= 0 ? z->im : NULL, wide, exponent - e, t->bits >= 0 ? t->im : NULL, t->w,
-             t->exponent - e);
-    a->bits = bits_or_none(a->re, z->real ? a->re : a->im, a->w);
+    algsurf_z_zero(a->re, a->w);
+    if (!z->real) algsurf_z_zero(a->im, a->w);
+    for (int i = 0; i < 2; i++) {
+        const algsurf_i_sum *b = term[i];
+        if (b->bits < 0) continue;
+        algsurf_i_add_shifted(a->re, a->w, b->re, b->w, b->exponent - e);
+        if (!z->real && b->im) algsurf_i_add_shifted(a->im, a->w, b->im, b->w, b->exponent - e);
+    }
+    a->bits = bits_or_none(a->re, z->real ? NULL : a->im, a->w);
     return is_cut;
 }
 
