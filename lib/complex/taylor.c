@@ -98,10 +98,8 @@ static algsurf_i_sum multiply(const algsurf_i_sum *a, const multiplier *z, int c
     if (!z->real) {
         algsurf_z_zero(c.im, c.w);
         algsurf_z_add_times(c.im, c.w, a->re, a->w, &y, 0);
-        if (algsurf_z_sign(a->im, a->w) != 0) {
-            algsurf_z_add_times(c.re, c.w, a->im, a->w, &y, 1);
-            algsurf_z_add_times(c.im, c.w, a->im, a->w, &x, 0);
-        }
+        algsurf_z_add_times(c.re, c.w, a->im, a->w, &y, 1);
+        algsurf_z_add_times(c.im, c.w, a->im, a->w, &x, 0);
     }
     c.bits = bits_or_none(c.re, z->real ? NULL : c.im, c.w);
     return c;
