@@ -66,10 +66,7 @@ INLINE void set_steps(const algsurf_i_approach *a, const int *who, int count, in
 static void approach(const algsurf_i_approach *a, const int *who, int count, int reversed) {
     for (int at = 0; at < count; at += LANES) {
         int many = count - at < LANES ? count - at : LANES;
-        if (reversed)
-            set_steps(a, who + at, many, 1);
-        else
-            set_steps(a, who + at, many, 0);
+        set_steps(a, who + at, many, reversed);
     }
 }
 
