@@ -57,13 +57,9 @@ INLINE lanes root_at(layout s, const lanes *a, int j) {
 
 /* The largest of the lanes, in all of them; NaN may be overlooked. */
 INLINE lanes over_lanes(lanes a) {
-#if X86_WIDTH == 512
-    return all_lanes(_mm512_reduce_max_pd(a));
-#else
     double most = a[0];
     for (int l = 1; l < LANES; l++) most = a[l] > most ? a[l] : most;
     return all_lanes(most);
-#endif
 }
 
 /* Of all roots: where `a` is true for each. */

@@ -19,10 +19,11 @@
 
 #define BITS_OF_DOUBLES 60 /* fewer than what discs are narrow to without being asked for more */
 
-/* A root as it comes, in memory of its own. */
+/* A root as it comes. */
 typedef struct entry {
     algsurf_i_point z;
-    int radius, multiplicity, real, factor;
+    algsurf_precise_root root; /* its integers are set at the end */
+    int factor;
 } entry;
 
 struct algsurf_precise_roots {
@@ -30,8 +31,7 @@ struct algsurf_precise_roots {
     algsurf_memory_mark empty; /* without limbs of roots */
     int bits, count, factors;  /* factors: so many have delivered their roots */
     int failed;                /* a root could not be told from another */
-    entry *found;
-    algsurf_precise_root *root; /* in order */
+    entry *found;              /* in order at last */
 };
 
 /* x 2^up, the exponent lower by that. */
@@ -54,9 +54,9 @@ static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scal
     entry *e = to->found + to->count;
     const int exact = is_zero(R);
     const int64_t low = exact ? z->exponent : R.exponent - 10;
-    *e = (entry){.multiplicity = multiplicity, .real = real, .factor = to->factors};
+    *e = (entry){.root = {.multiplicity = multiplicity, .real = real}, .factor = to->factors};
     if (!copy_of(&to->m, z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
-    if (!exact) e->radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
+    if (!exact) e->root.radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
     to->count++;
     return 1;
 }
@@ -99,7 +99,7 @@ static int any_meet(algsurf_memory *m, const algsurf_precise_roots *r) {
             if (!algsurf_i_difference(m, &a->z, &b->z, &d)) return -1;
             d = scaled_of(fmax(fabs(d.re), fabs(d.im)), 0, d.exponent);
             algsurf_scaled reach =
-                sum(scaled_of(a->radius, 0, a->z.exponent), scaled_of(b->radius, 0, b->z.exponent));
+                sum(scaled_of(a->root.radius, 0, a->z.exponent), scaled_of(b->root.radius, 0, b->z.exponent));
             if (!less(by(reach, 1 + 0x1p-20), d)) return 1;
         }
     return 0;
@@ -144,9 +144,8 @@ static algsurf_precise_roots *new_roots(int degree) {
     if (!r) return NULL;
     (void)algsurf_memory_begin(&r->m, NULL, 0, SIZE_MAX);
     r->found = algsurf_i_take(&r->m, (size_t)degree * sizeof *r->found);
-    r->root = algsurf_i_take(&r->m, (size_t)degree * sizeof *r->root);
     r->empty = algsurf_memory_here(&r->m);
-    if (r->found && r->root) return r;
+    if (r->found) return r;
     algsurf_precise_roots_free(r);
     return NULL;
 }
@@ -176,13 +175,9 @@ static algsurf_status create(const algsurf_integer *re, const algsurf_integer *i
     while ((status = find(re, im, degree, limit, r, &met)) == ALGSURF_OK && met) r->bits *= 2;
     qsort(r->found, (size_t)r->count, sizeof *r->found, compare);
     for (int i = 0; i < r->count; i++) {
-        const entry *e = r->found + i;
-        r->root[i] = (algsurf_precise_root){.re = integer_of(e->z.x, e->z.w),
-                                            .im = integer_of(e->z.y, e->z.w),
-                                            .exponent = (int)e->z.exponent,
-                                            .radius = e->radius,
-                                            .multiplicity = e->multiplicity,
-                                            .real = e->real};
+        entry *e = r->found + i;
+        e->root.re = integer_of(e->z.x, e->z.w), e->root.im = integer_of(e->z.y, e->z.w);
+        e->root.exponent = (int)e->z.exponent;
     }
     return status;
 }
@@ -208,6 +203,6 @@ int algsurf_precise_roots_count(const algsurf_precise_roots *roots) { return roo
 algsurf_status algsurf_precise_roots_get(const algsurf_precise_roots *roots, int i,
                                          algsurf_precise_root *root) {
     if (!roots || !root || i < 0 || i >= roots->count) return ALGSURF_E_ARGUMENT;
-    *root = roots->root[i];
+    *root = roots->found[i].root;
     return ALGSURF_OK;
 }
