@@ -10,7 +10,6 @@
 #include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "../base/fpenv.h"
 #include "../poly/value.h"
@@ -34,28 +33,20 @@ struct algsurf_precise_roots {
     entry *found;              /* in order at last */
 };
 
-/* x 2^up, the exponent lower by that. */
-static int copy_of(algsurf_memory *m, const algsurf_i_point *z, int up, algsurf_i_point *copy) {
-    const int w = z->w + up / 64 + 1;
-    *copy = *z;
-    copy->x = algsurf_memory_take(m, 2 * (size_t)w);
-    if (!copy->x) return 0;
-    copy->y = copy->x + w, copy->w = copy->room = w;
-    algsurf_z_zero(copy->x, 2 * w);
-    algsurf_i_add_shifted(copy->x, w, z->x, z->w, up);
-    algsurf_i_add_shifted(copy->y, w, z->y, z->w, up);
-    copy->exponent -= up;
-    return 1;
-}
-
-/* A root within R of z. */
+/* A root within R of z, which becomes integers in units of 2^-10 R or smaller ones. */
 static int add(algsurf_precise_roots *to, const algsurf_i_point *z, algsurf_scaled R, int multiplicity,
                int real) {
-    entry *e = to->found + to->count;
     const int exact = is_zero(R);
     const int64_t low = exact ? z->exponent : R.exponent - 10;
-    *e = (entry){.root = {.multiplicity = multiplicity, .real = real}, .factor = to->factors};
-    if (!copy_of(&to->m, z, z->exponent > low ? (int)(z->exponent - low) : 0, &e->z)) return 0;
+    const int up = z->exponent > low ? (int)(z->exponent - low) : 0, w = z->w + up / 64 + 1;
+    algsurf_limb *x = algsurf_memory_take(&to->m, 2 * (size_t)w);
+    entry *e = to->found + to->count;
+    if (!x) return 0;
+    algsurf_z_zero(x, 2 * w);
+    algsurf_i_add_shifted(x, w, z->x, z->w, up);
+    algsurf_i_add_shifted(x + w, w, z->y, z->w, up);
+    *e = (entry){.z = *z, .root = {.multiplicity = multiplicity, .real = real}, .factor = to->factors};
+    e->z.x = x, e->z.y = x + w, e->z.w = e->z.room = w, e->z.exponent -= up;
     if (!exact) e->root.radius = (int)ceil(ldexp(R.re, (int)(R.exponent - e->z.exponent)));
     to->count++;
     return 1;
