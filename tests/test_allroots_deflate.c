@@ -355,5 +355,3 @@ TEST(test_null) {
     assert_int_equal(algsurf_paper_inclusion(c.p, NULL, 2, z, q, NULL, &Z, NULL, NULL, NULL),
                      ALGSURF_NOT_VERIFIED);
 }
-
-int main(void) { return unit_run("allroots, deflate"); }

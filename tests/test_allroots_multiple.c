@@ -7,7 +7,6 @@
  * left out, boxes that are not joined, radii of rounded factors left out.) */
 #include "exact_zpolys.h"
 
-#include "algsurf/allroots.h"
 #include "allroots_case.h"
 #include "unit.h"
 
@@ -479,5 +478,3 @@ TEST(test_widths) {
                   width[widths - widths / 100], width[widths - 1]);
     assert_true(width[widths / 2] <= 4 && width[widths - 1] < 1000);
 }
-
-int main(void) { return unit_run("allroots multiple"); }

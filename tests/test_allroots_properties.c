@@ -284,5 +284,3 @@ TEST(test_scaling) {
         }
     }
 }
-
-int main(void) { return unit_run("allroots properties"); }

@@ -322,5 +322,3 @@ TEST(test_no_proof) {
         ALGSURF_NOT_VERIFIED);
     assert_true(unique == 5 && !memcmp(&Z, &mark, sizeof mark) && !memcmp(Q + 1, &mark, sizeof mark));
 }
-
-int main(void) { return unit_run("allroots, seed"); }

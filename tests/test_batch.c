@@ -799,5 +799,3 @@ TEST(test_environment) {
         }
     }
 }
-
-int main(void) { return unit_run("batch"); }

@@ -22,7 +22,6 @@
  *
  *     test_beam [rays [seed]]
  */
-#include "exact.h"
 #include "exact_hits.h"
 #include "picture/impl.h"
 #include "simd/kernel.h"

@@ -290,5 +290,3 @@ TEST(rounding_modes) {
         assert_memory_equal(&r[m], &r[0], sizeof r[0]);
     }
 }
-
-int main(void) { return unit_run("camera"); }

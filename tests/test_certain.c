@@ -189,5 +189,3 @@ TEST(test_neighbours) {
 }
 
 TEST(test_enough) { assert_true(refined > 5000); }
-
-int main(void) { return unit_run("certain"); }

@@ -357,5 +357,3 @@ TEST(bad_planes_are_refused) {
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("clip"); }

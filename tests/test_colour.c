@@ -79,5 +79,3 @@ TEST(test_meaning) {
     assert_null(cli_guess_meaning(&wide, 0));
     assert_null(cli_guess_meaning(&none, 0));
 }
-
-int main(void) { return unit_run("colour"); }

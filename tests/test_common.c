@@ -249,5 +249,3 @@ TEST(test_large) {
     judge(t, 1, 1);
     close_bench(t);
 }
-
-int main(void) { return unit_run("common"); }

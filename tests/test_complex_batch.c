@@ -299,5 +299,3 @@ TEST(the_interface) {
     bad.count = 0;
     assert_ok(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL));
 }
-
-int main(void) { return unit_run("complex: many polynomials"); }

@@ -283,5 +283,3 @@ TEST(settled_alike) {
     }
     assert_true(both > 400);
 }
-
-int main(void) { return unit_run("complex: lanes"); }

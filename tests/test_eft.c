@@ -268,5 +268,3 @@ TEST(test_flush_to_zero) {
     }
 }
 #endif
-
-int main(void) { return unit_run("eft and fpenv"); }

@@ -117,5 +117,3 @@ TEST(same_bits_everywhere) {
     }
     assert_int_equal(hash, 0xb799a805aa8bd44bu);
 }
-
-int main(void) { return unit_run("elementary"); }

@@ -13,10 +13,7 @@
  */
 #include <fenv.h>
 
-#include "algsurf/algsurf.h"
-#include "exact.h"
 #include "scenes.h"
-#include "unit.h"
 
 static const uint64_t seed = 20250923;
 
@@ -324,5 +321,3 @@ TEST(bad_arguments) {
     assert_true(lo[0] == 7 && hi[2] == 8 && empty == 5);
     algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("enclose"); }

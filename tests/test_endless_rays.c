@@ -243,5 +243,3 @@ TEST(packets) {
         algsurf_surface_free(c.surface);
     }
 }
-
-int main(void) { return unit_run("endless rays"); }

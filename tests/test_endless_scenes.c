@@ -164,5 +164,3 @@ TEST(few_rays_go_by_themselves) {
         algsurf_surface_free(surface);
     }
 }
-
-int main(void) { return unit_run("endless scenes"); }

@@ -367,5 +367,3 @@ TEST(test_catalogue) {
     }
 #undef P
 }
-
-int main(void) { return unit_run("equation"); }

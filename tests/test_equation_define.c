@@ -99,5 +99,3 @@ TEST(test_long) {
     assert_true(unit_seconds() - begin < 3);
     free(text);
 }
-
-int main(void) { return unit_run("equation define"); }

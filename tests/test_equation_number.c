@@ -100,5 +100,3 @@ TEST(test_rounding_mode) {
     assert_true(t.a == nearest);
     algsurf_surface_free(s);
 }
-
-int main(void) { return unit_run("equation number"); }

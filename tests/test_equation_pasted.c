@@ -360,5 +360,3 @@ TEST(test_long) {
     explained(&(refused_text){text, text, "LaTeX is not understood"}, NULL, 0);
     free(text);
 }
-
-int main(void) { return unit_run("equation pasted"); }

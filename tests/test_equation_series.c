@@ -4,7 +4,6 @@
  */
 #include "equation_case.h"
 
-#include <math.h>
 
 static const char *const written[][2] = {
     {"T_0(x)+U_0(y)+P_0(z)+x", "3+x"},
@@ -98,5 +97,3 @@ TEST(test_time) {
         if (seconds > 2) fail_msg("%s: %g s", large[n], seconds);
     }
 }
-
-int main(void) { return unit_run("equation series"); }

@@ -4,9 +4,7 @@
  * Bounds are processor time (unit.h), many times what an ordinary machine takes, and many times less than
  * what a power of the length that is too high would take.
  */
-#include "algsurf/surface.h"
 #include "scenes.h"
-#include "unit.h"
 
 /* `count` times the unit, then the end; to be freed. */
 static char *repeated(const char *start, const char *unit, size_t count, const char *end) {
@@ -133,5 +131,3 @@ TEST(test_names) {
         length += (size_t)snprintf(text + length, WIDTH + 1, "c%d+", n % CONSTANTS);
     assert_ok(timed(repeated("", text, 1, "x"), constants, CONSTANTS, 1));
 }
-
-int main(void) { return unit_run("equation time"); }

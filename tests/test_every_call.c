@@ -1260,5 +1260,3 @@ TEST(same_in_every_environment) {
     assert_int_equal(sigaction(SIGFPE, &before, NULL), 0);
     assert_int_equal(failures, 0);
 }
-
-int main(void) { return unit_run("every call"); }

@@ -317,5 +317,3 @@ TEST(test_memory) {
     assert_in_range(words * sizeof *block, 500, 2560); /* of an ordinary ray of degree 6 */
     algsurf_surface_free(s);
 }
-
-int main(void) { return unit_run("exact form"); }

@@ -338,5 +338,3 @@ TEST(test_memory) {
     free(p.c), free(radius.c);
     set_free(s);
 }
-
-int main(void) { return unit_run("exact radii"); }

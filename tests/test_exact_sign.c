@@ -145,5 +145,3 @@ TEST(test_factor) {
     assert_true(shared >= 1000);
     known_free(k), known_free(q);
 }
-
-int main(void) { return unit_run("exact sign"); }

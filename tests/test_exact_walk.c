@@ -758,5 +758,3 @@ TEST(test_memory) {
     assert_true(tried > 100);
     known_free(k);
 }
-
-int main(void) { return unit_run("exact walk"); }

@@ -262,5 +262,3 @@ TEST(test_environment) {
         algsurf_surface_free(r.surface);
     }
 }
-
-int main(void) { return unit_run("expand"); }

@@ -213,5 +213,3 @@ TEST(test_memory) {
         assert_true(done && words > 5);
     }
 }
-
-int main(void) { return unit_run("faces"); }

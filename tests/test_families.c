@@ -251,5 +251,3 @@ TEST(test_products) {
         exact_zpoly_free(cubes), exact_zpoly_free(squares), exact_zpoly_free(c), exact_zpoly_free(b),
         exact_zpoly_free(a);
 }
-
-int main(void) { return unit_run("families"); }

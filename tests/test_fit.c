@@ -110,5 +110,3 @@ TEST(test_famous_times) {
     printf("%d famous surfaces: mean %.3f s, longest %.3f s, %s\n", count, sum / count, worst, worst_of);
     assert_true(count > 40 && worst < LONGEST);
 }
-
-int main(void) { return unit_run("fit"); }

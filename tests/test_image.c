@@ -216,5 +216,3 @@ TEST(test_png_compresses) {
     assert_true(round_trip(3, 640, 480, flat, used) < 20000);
     free(flat);
 }
-
-int main(void) { return unit_run("image"); }

@@ -305,5 +305,3 @@ TEST(test_integers_into_doubles) {
     mpq_clears(q, error, bound, NULL);
     end(&o);
 }
-
-int main(void) { return unit_run("integer"); }

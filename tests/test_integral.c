@@ -466,5 +466,3 @@ TEST(test_no_memory) {
     }
     room_empty(&m);
 }
-
-int main(void) { return unit_run("integral"); }

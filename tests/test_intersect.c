@@ -351,5 +351,3 @@ TEST(test_chmutov) {
     assert_true(hits > 500 && undecided == 0);
     done();
 }
-
-int main(void) { return unit_run("intersect"); }

@@ -226,5 +226,3 @@ TEST(touching_rays) {
         algsurf_surface_free(c.surface);
     }
 }
-
-int main(void) { return unit_run("intersect certified"); }

@@ -4,10 +4,7 @@
  * Catches: magnitude or argument taken from the re-centred parameter instead of from the eye, a wrong
  * power of the scale in the imaginary part, a normal that is not that of the surface shown, answers
  * that depend on start values, what underflow takes from an imaginary part or an end of the ray forgotten. */
-#include "algsurf/intersect.h"
-#include "exact.h"
 #include "scenes.h"
-#include "unit.h"
 
 static const double pi = 3.141592653589793;
 
@@ -492,5 +489,3 @@ TEST(test_bad_arguments) {
     assert_memory_equal(&hit, &before, sizeof hit);
     algsurf_surface_free(s);
 }
-
-int main(void) { return unit_run("intersect complex"); }

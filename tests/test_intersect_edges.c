@@ -435,5 +435,3 @@ TEST(undecided_at_the_edge) {
     if (undecided * 10 < rounds || undecided == rounds)
         fail_msg("seed %u: %d rounds, %d undecided", SEED, rounds, undecided);
 }
-
-int main(void) { return unit_run("intersect edges"); }

@@ -281,5 +281,3 @@ TEST(test_environment) {
         algsurf_surface_free(c.surface);
     }
 }
-
-int main(void) { return unit_run("intersect options"); }

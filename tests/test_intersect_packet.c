@@ -1004,5 +1004,3 @@ TEST(test_environments) {
     }
     algsurf_surface_free(s);
 }
-
-int main(void) { return unit_run("intersect packet"); }

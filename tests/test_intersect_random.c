@@ -81,5 +81,3 @@ TEST(test_high_degrees_all_bits) { judge_family(200, 12, 53, 0, 97); }
 
 /* Tangencies, double factors, roots at ends, exact multiple roots. */
 TEST(test_small_integers) { judge_family(1500, 6, 2, 1, 80); }
-
-int main(void) { return unit_run("intersect random"); }

@@ -168,5 +168,3 @@ TEST(test_passing_by) {
     intersect_equation(&e.c, "(x^2 + y^2 + z^2 - 1)(3 x - 2^-62)");
     judge(&e, 0);
 }
-
-int main(void) { return unit_run("intersect touch"); }

@@ -346,5 +346,3 @@ TEST(test_any_environment) {
     evaluate(pool.expected);
     case_environments(evaluate, same, pool.got);
 }
-
-int main(void) { return unit_run("interval"); }

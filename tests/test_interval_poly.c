@@ -61,5 +61,3 @@ TEST(test_bad_arguments) {
     assert_true(r.lo == 7 && r.hi == 8);
     assert_int_equal(algsurf_interval_poly(&one, 0, one, NULL), ALGSURF_E_ARGUMENT);
 }
-
-int main(void) { return unit_run("interval poly"); }

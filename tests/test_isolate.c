@@ -376,5 +376,3 @@ TEST(test_counted) {
     assert_in_range(intervals(irrational, 4, 0, 4, &b, &found), 16, 100);
     assert_true(found == 1 && b.kind == ALGSURF_BRACKET_ISOLATED && b.multiplicity == 2);
 }
-
-int main(void) { return unit_run("isolate"); }

@@ -243,5 +243,3 @@ TEST(test_roots_between_doubles) {
         if (!as_told) isolate_fail("between doubles", k->c, NULL, k->degree, k->lo, k->hi, &answer);
     }
 }
-
-int main(void) { return unit_run("isolate corpus"); }

@@ -403,5 +403,3 @@ TEST(test_environment) {
         }
     }
 }
-
-int main(void) { return unit_run("isolate radii"); }

@@ -151,5 +151,3 @@ TEST(test_names) {
     assert_false(jsurf_is_name(".jsurf") || jsurf_is_name("jsurf") || jsurf_is_name("a.jsurf2") ||
                  jsurf_is_name("") || jsurf_is_name("a.surf"));
 }
-
-int main(void) { return unit_run("jsurf file"); }

@@ -220,5 +220,3 @@ TEST(same_bits) {
         }
     }
 }
-
-int main(void) { return unit_run("kernel colours"); }

@@ -9,10 +9,8 @@
  *   squares that underflow or overflow; NaN instead of a zero normal          scales, singular_points
  *   entries behind the last one written; lanes that depend on neighbours      same_bits
  */
-#include "algsurf/algsurf.h"
 #include "catalogue.h"
 #include "scenes.h"
-#include "exact.h"
 #include "beams/kernels.h"
 #include "base/vec.h"
 
@@ -408,5 +406,3 @@ TEST(same_bits) {
     }
     free(pixel), free(depth);
 }
-
-int main(void) { return unit_run("kernel points"); }

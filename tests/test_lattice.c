@@ -153,5 +153,3 @@ TEST(neighbours) {
         assert_true(way >= 1.5 && way <= 13);
     }
 }
-
-int main(void) { return unit_run("lattice"); }

@@ -214,5 +214,3 @@ TEST(test_structs) {
 }
 
 TEST(test_numbers) { check(numbers, sizeof numbers / sizeof numbers[0]); }
-
-int main(void) { return unit_run("layout"); }

@@ -144,5 +144,3 @@ TEST(test_wrong_image) {
     for (int k = 0; k <= MOST; k++) mpz_clear(t.number[k]);
     mpz_clears(t.p, t.x, NULL);
 }
-
-int main(void) { return unit_run("lift"); }

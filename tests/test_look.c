@@ -5,10 +5,8 @@
  * Breaks caught, each tried: shadows that take all light, no light from the eye, a highlight that adds
  * instead of mixing, bytes without the curve of sRGB.
  */
-#include "algsurf/algsurf.h"
 #include "catalogue.h"
 #include "scenes.h"
-#include "unit.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -88,5 +86,3 @@ TEST(sides) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         assert_true(fabs(lightness(entry->outside) - lightness(entry->inside)) <= 2.5);
 }
-
-int main(void) { return unit_run("look"); }

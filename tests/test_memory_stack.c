@@ -119,5 +119,3 @@ TEST(test_no_first_block_and_sizes_beyond) {
     algsurf_memory_release(&m, start);
     assert_int_equal(m.allocated, 0);
 }
-
-int main(void) { return unit_run("memory stack"); }

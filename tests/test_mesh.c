@@ -294,5 +294,3 @@ TEST(test_sinks) {
     }
     mesh_free(&m);
 }
-
-int main(void) { return unit_run("mesh"); }

@@ -186,5 +186,3 @@ TEST(test_known_shapes) {
     make_net(8, signs);
     assert_int_equal(check_manifold(8, signs), 0); /* a ring */
 }
-
-int main(void) { return unit_run("mesh_net"); }

@@ -186,5 +186,3 @@ TEST(test_out_of_memory) {
     free(p.c);
     close_bench(t);
 }
-
-int main(void) { return unit_run("multiplicity"); }

@@ -387,5 +387,3 @@ TEST(pictures) {
         drop(&b);
     }
 }
-
-int main(void) { return unit_run("normals"); }

@@ -9,11 +9,8 @@
  *   integers that say nothing, or call themselves doubles            both engines must be seen */
 #include <fenv.h>
 
-#include "algsurf/algsurf.h"
-#include "exact.h"
 #include "exact_ray.h"
 #include "scenes.h"
-#include "unit.h"
 
 enum { MOST = 4000, TOP = 12 };
 
@@ -390,5 +387,3 @@ TEST(packets_and_pictures_refuse) {
     algsurf_scene_free(picture);
     algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("observe"); }

@@ -4,12 +4,9 @@
  * Catches (each tried): a surface taken for its own ball though one coefficient is a unit in the last place
  * off, or the centre; one that is not recognised; a ball that is replaced by a larger one though the surface
  * is not its own; an eye made at another point than the rays'. */
-#include "exact.h"
 
-#include "algsurf/algsurf.h"
 #include "rays/region.h"
 #include "scenes.h"
-#include "unit.h"
 
 static const uint64_t SEED = 20261122;
 
@@ -163,5 +160,3 @@ TEST(test_vanishing_direction) {
     algsurf_surface_free(known);
     algsurf_surface_free(exact);
 }
-
-int main(void) { return unit_run("own ball"); }

@@ -339,5 +339,3 @@ TEST(test_bad_input_bernstein) {
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 1, 0, INFINITY, b, br), ALGSURF_E_NOT_FINITE);
     assert_true(b[0] == 7 && b[1] == 7 && br[0] == 7 && br[1] == 7);
 }
-
-int main(void) { return unit_run("poly"); }

@@ -261,5 +261,3 @@ TEST(test_count) {
         }
     }
 }
-
-int main(void) { return unit_run("radii"); }

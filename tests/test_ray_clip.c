@@ -471,5 +471,3 @@ TEST(arguments) {
     assert_true(same.t_min <= 1 && same.t_min > 1 - 1e-11 && same.t_max >= 2.5 && same.t_max < 2.5 + 1e-13);
     assert_memory_equal(same.origin, before.origin, sizeof same.origin + sizeof same.direction);
 }
-
-int main(void) { return unit_run("region"); }

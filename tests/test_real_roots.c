@@ -268,5 +268,3 @@ TEST(test_zero_is_no_place_to_search) {
             assert_int_equal(count[0], 0);
         }
 }
-
-int main(void) { return unit_run("real roots"); }

@@ -700,5 +700,3 @@ TEST(test_observer_of_others) {
     assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 2, &o, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(seen.calls, 2);
 }
-
-int main(void) { return unit_run("refine"); }

@@ -207,5 +207,3 @@ TEST(first_root_taken_for_the_end) {
     assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
     algsurf_surface_free(c.surface);
 }
-
-int main(void) { return unit_run("regressions"); }

@@ -661,5 +661,3 @@ TEST(steep_ramps) {
             algsurf_surface_free(surface);
         }
 }
-
-int main(void) { return unit_run("render"); }

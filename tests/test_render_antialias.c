@@ -422,5 +422,3 @@ TEST(bad_thresholds) {
     free(before), free(after);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("render: antialias"); }

@@ -405,5 +405,3 @@ TEST(setters) {
     free(after), free(before), free(real);
     release(scene, surface);
 }
-
-int main(void) { return unit_run("render: complex space"); }

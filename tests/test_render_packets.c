@@ -16,7 +16,6 @@
  * Not caught: no error for cuts (the pictures' signs are far above it).
  */
 #include "catalogue.h"
-#include "exact.h"
 #include "render_case.h"
 
 enum { VIEWS = 20 };
@@ -160,5 +159,3 @@ static void compare_kernels(const algsurf_surface *surface, const view *v, void 
 }
 
 TEST(kernels_give_the_same_bits) { for_each_view(compare_kernels, NULL); }
-
-int main(void) { return unit_run("render packets"); }

@@ -334,5 +334,3 @@ TEST(strides) {
     }
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("render: planes"); }

@@ -10,7 +10,6 @@
 #define _POSIX_C_SOURCE 200809L /* nanosleep */
 #include <fenv.h>
 #include <pthread.h>
-#include <time.h>
 
 #include "render_case.h"
 
@@ -204,5 +203,3 @@ TEST(sized_structs) {
     free(whole);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("render: threads"); }

@@ -12,7 +12,6 @@
  */
 #include "catalogue.h"
 #include "scenes.h"
-#include "algsurf/algsurf.h"
 
 enum { WIDTH = 347, HEIGHT = 331, LARGEST = 16, SMALLEST = 4, KIND = 3 };
 
@@ -296,5 +295,3 @@ TEST(without_tiles) {
     algsurf_surface_free(high);
     algsurf_surface_free(surface);
 }
-
-int main(void) { return unit_run("ways"); }

@@ -220,5 +220,3 @@ TEST(test_division_and_derivative) {
             if (x.c[k] != (k >= d ? q.c[k - d] : y.c[k])) fail_with("division", i, &a, &b);
     }
 }
-
-int main(void) { return unit_run("residue"); }

@@ -30,5 +30,3 @@ TEST(reached) {
             algsurf_memory_release(&memory, (algsurf_memory_mark){block, block + 4096, NULL});
         }
 }
-
-int main(void) { return unit_run("root bounds"); }

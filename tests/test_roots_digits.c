@@ -149,5 +149,3 @@ TEST(as_people_write_them) {
         roots_digits_free(&re), roots_digits_free(&im);
     }
 }
-
-int main(void) { return unit_run("roots as decimals"); }

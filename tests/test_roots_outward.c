@@ -1,7 +1,6 @@
 /* test_roots_outward.c - enclosures as decimals, against exact arithmetic: they hold the interval, and are at
  * most half as wide again where 17 digits suffice.  Catches: an end rounded to nearest, a carry that is lost,
  * an exponent one off. */
-#include "exact.h"
 #include "exact_decimal.h"
 #include "roots_outward.h"
 #include "unit.h"
@@ -63,5 +62,3 @@ TEST(test_random) {
     }
     mpq_clears(lo, hi, ends[0], ends[1], width, wider, NULL);
 }
-
-int main(void) { return unit_run("roots outward"); }

@@ -266,5 +266,3 @@ TEST(test_bad_arguments) {
     assert_int_equal(index, 7);
     assert_int_equal(selected, ALGSURF_SELECTED_ONE);
 }
-
-int main(void) { return unit_run("select"); }

@@ -5,7 +5,6 @@
  * (-Wl,--wrap), which replaces the tables of the rooms: each entry in turn does what it should and then
  * changes a last bit, in kernels other than the plain one. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include <time.h>
 
 #include "algsurf/algsurf.h"
 #include "base/fpenv.h"
@@ -308,5 +307,3 @@ TEST(this_build_is_sound) {
     }
     print_message("%.0f microseconds\n", 1e6 * best);
 }
-
-int main(void) { return unit_run("self test"); }

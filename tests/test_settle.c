@@ -127,5 +127,3 @@ TEST(test_bound) {
     }
     if (worst < 0.01) fail_msg("the bound is never felt: %g", worst);
 }
-
-int main(void) { return unit_run("settle"); }

@@ -553,5 +553,3 @@ TEST(rounding_modes) {
         assert_memory_equal(p[m], p[0], sizeof p[0]);
     }
 }
-
-int main(void) { return unit_run("shade"); }

@@ -3,10 +3,8 @@
  * Roots themselves are judged in test_intersect and its kin: the public calls go this way.
  */
 #include "catalogue.h"
-#include "exact.h"
 #include "rays/packets.h"
 #include "scenes.h"
-#include "unit.h"
 
 #define SEED 20261122u
 enum { RAYS = 60 };
@@ -101,5 +99,3 @@ TEST(test_rays) {
         algsurf_surface_free(s);
     }
 }
-
-int main(void) { return unit_run("single"); }

@@ -115,5 +115,3 @@ TEST(rounding_modes) {
         }
     }
 }
-
-int main(void) { return unit_run("srgb"); }

@@ -78,5 +78,3 @@ TEST(test_version) {
     assert_int_equal(number / 100 % 100, minor);
     assert_int_equal(number % 100, patch);
 }
-
-int main(void) { return unit_run("status"); }

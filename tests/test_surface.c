@@ -159,5 +159,3 @@ TEST(test_null_surface) {
     algsurf_surface_free(s);
     algsurf_surface_free(NULL);
 }
-
-int main(void) { return unit_run("surface"); }

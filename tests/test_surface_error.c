@@ -307,5 +307,3 @@ TEST(a_point) {
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
 }
-
-int main(void) { return unit_run("surface error"); }

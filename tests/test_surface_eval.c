@@ -222,5 +222,3 @@ TEST(test_rounding_mode) {
     assert_memory_equal(g[0], g[1], sizeof g[0]);
     assert_memory_equal(gb[0], gb[1], sizeof gb[0]);
 }
-
-int main(void) { return unit_run("surface eval"); }

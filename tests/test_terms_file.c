@@ -8,7 +8,6 @@
 #include "catalogue.h"
 #include "scenes.h"
 #include "terms_file.h"
-#include "unit.h"
 
 static FILE *file_of(const char *text, size_t length) {
     FILE *file = tmpfile();
@@ -154,5 +153,3 @@ TEST(test_catalogue) {
         algsurf_surface_free(surface);
     }
 }
-
-int main(void) { return unit_run("terms file"); }

@@ -16,10 +16,7 @@
  *     test_thin [views [seed]]
  */
 #include "catalogue.h"
-#include "exact.h"
-#include "algsurf/algsurf.h"
 #include "scenes.h"
-#include "unit.h"
 
 enum { MOST = 1024 };
 

@@ -67,5 +67,3 @@ TEST(test_values) {
                 if (strtod(text, NULL) != strtod(whole, NULL)) fail_msg("%s is written as %s", whole, text);
             }
 }
-
-int main(void) { return unit_run("ticks"); }

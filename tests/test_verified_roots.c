@@ -209,5 +209,3 @@ TEST(roots_are_counted_once) {
     a.root[1].simple = 0;
     assert_int_equal(simple_roots(&a), 1);
 }
-
-int main(void) { return unit_run("bench: verified roots"); }

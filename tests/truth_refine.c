@@ -15,8 +15,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "algsurf/isolate.h"
-#include "algsurf/refine.h"
 #include "poly_corpus.h"
 
 enum { REPEAT = 5 };

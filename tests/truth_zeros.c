@@ -16,7 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "algsurf/papers.h"
 #include "poly_corpus.h"
 
 enum { COLD, CIRCLE, STARTS, FAMILIES = 32 };

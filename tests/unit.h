@@ -1,9 +1,8 @@
 /* unit.h - cmocka, what it wants included before it, and tests that list themselves:
  *
  *     TEST(what_is_tested) { assert_true(...); }
- *     int main(void) { return unit_run("group"); }
  *
- * They run in the order in which they stand.
+ * They run in the order in which they stand, by unit_main.c or a main of the program's own.
  */
 #ifndef UNIT_H
 #define UNIT_H
@@ -41,29 +40,14 @@
 
 static inline double unit_seconds(void) { return (double)clock() / CLOCKS_PER_SEC / UNIT_SLOWER; }
 
-enum { UNIT_MOST = 64 };
-
-static struct {
-    struct CMUnitTest test[UNIT_MOST];
-    int line[UNIT_MOST], count;
-} unit_list;
-
-static inline void unit_add(const char *name, CMUnitTestFunction test, int line) {
-    int i = unit_list.count++;
-    if (i == UNIT_MOST) abort();
-    for (; i > 0 && unit_list.line[i - 1] > line; i--)
-        unit_list.test[i] = unit_list.test[i - 1], unit_list.line[i] = unit_list.line[i - 1];
-    unit_list.test[i] = (struct CMUnitTest){name, test, NULL, NULL, NULL}, unit_list.line[i] = line;
-}
+/* Adds a test; runs those of the program (0: all passed). */
+void unit_add(const char *name, CMUnitTestFunction test, int line);
+int unit_run(const char *group);
 
 /* A test; it enters the list before main begins. */
 #define TEST(name)                                                                                           \
     static void name(void **);                                                                               \
     __attribute__((constructor)) static void unit_add_##name(void) { unit_add(#name, name, __LINE__); }      \
     static void name(void **unit_state __attribute__((unused)))
-
-static inline int unit_run(const char *group) {
-    return cmocka_run_group_tests_name(group, unit_list.test, NULL, NULL);
-}
 
 #endif
