@@ -1,8 +1,7 @@
 /* equation_case.h - equations as text, for tests: accepted and equal, or refused and explained. */
 #ifndef EQUATION_CASE_H
 #define EQUATION_CASE_H
-#include "algsurf/surface.h"
-#include "unit.h"
+#include "scenes.h"
 
 enum { MOST_TERMS = 64 };
 
@@ -12,7 +11,7 @@ static inline algsurf_surface *parse_with(const char *text, const algsurf_consta
     algsurf_status status = algsurf_surface_from_equation(text, constants, n, &s, &error);
     if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
     assert_ok(status);
-    return s;
+    return surface_kept(s);
 }
 
 static inline algsurf_surface *parse(const char *text) { return parse_with(text, NULL, 0); }
@@ -32,8 +31,6 @@ static inline void same_with(const char *a, const algsurf_constant *constants, s
     }
     if (!equal) fprintf(stderr, "'%s' and '%s' differ\n", a, b);
     assert_true(equal);
-    algsurf_surface_free(sa);
-    algsurf_surface_free(sb);
 }
 
 static inline void same(const char *a, const char *b) { same_with(a, NULL, 0, b); }

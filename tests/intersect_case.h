@@ -1,7 +1,9 @@
-/* intersect_case.h - judges what intersect says about one surface and one ray. */
+/* intersect_case.h - judges what intersect says about one surface, released when the test ends, and one ray. */
 #ifndef INTERSECT_CASE_H
 #define INTERSECT_CASE_H
 #include "exact_hits.h"
+#include "packet_case.h"
+#include "scenes.h"
 
 #include "algsurf/camera.h"
 #include "algsurf/intersect.h"
@@ -25,12 +27,17 @@ typedef struct intersect_answer {
 } intersect_answer;
 
 /* From terms, or from an equation; the terms are those the library keeps. */
+static inline void intersect_surface(intersect_case *c, algsurf_surface *surface) {
+    c->surface = surface_kept(surface), c->is_power = surface->root != NULL;
+    c->count = (int)algsurf_surface_term_count(surface), c->degree = algsurf_surface_degree(surface);
+    assert_ok(algsurf_surface_terms(surface, c->terms));
+}
+
 static inline int intersect_terms(intersect_case *c, const algsurf_term *terms, int count) {
-    c->surface = NULL;
-    if (algsurf_surface_from_terms(terms, (size_t)count, &c->surface) != ALGSURF_OK) return 0;
-    c->is_power = c->surface->root != NULL;
-    c->count = (int)algsurf_surface_term_count(c->surface), c->degree = algsurf_surface_degree(c->surface);
-    return algsurf_surface_terms(c->surface, c->terms) == ALGSURF_OK;
+    algsurf_surface *surface = NULL;
+    if (algsurf_surface_from_terms(terms, (size_t)count, &surface) != ALGSURF_OK) return 0;
+    intersect_surface(c, surface);
+    return 1;
 }
 
 /* Of degree n at most, from some terms, the coefficients whole numbers or not. */
@@ -47,11 +54,9 @@ static inline int intersect_random(intersect_case *c, uint64_t *seed, int n, int
 }
 
 static inline void intersect_equation(intersect_case *c, const char *text) {
-    c->surface = NULL;
-    assert_ok(algsurf_surface_from_equation(text, NULL, 0, &c->surface, NULL));
-    c->is_power = c->surface->root != NULL;
-    c->count = (int)algsurf_surface_term_count(c->surface), c->degree = algsurf_surface_degree(c->surface);
-    assert_ok(algsurf_surface_terms(c->surface, c->terms));
+    algsurf_surface *surface = NULL;
+    assert_ok(algsurf_surface_from_equation(text, NULL, 0, &surface, NULL));
+    intersect_surface(c, surface);
 }
 
 static inline _Noreturn void intersect_fail(const char *what, const intersect_case *c,
@@ -225,42 +230,19 @@ static inline const char *intersect_wrong(const exact_hits *h, const intersect_a
     return h->end_sign == EXACT_NOT_KNOWN || a->first.side == h->end_sign ? NULL : "side of a miss";
 }
 
-static inline int intersect_same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
-
 /* The calls for packets say the same bits as the single ones. */
 static inline const char *intersect_wrong_packet(const intersect_case *c, const algsurf_extent *extent,
                                                  const algsurf_intersect_options *options,
                                                  const intersect_answer *a) {
-    const double *o = c->ray.origin, *d = c->ray.direction;
-    const algsurf_ray_packet rays = {.size = sizeof rays,
-                                     .count = 1,
-                                     .origin = {o, o + 1, o + 2},
-                                     .direction = {d, d + 1, d + 2},
-                                     .t_min = &c->ray.t_min,
-                                     .t_max = &c->ray.t_max};
-    unsigned char state, occluded;
-    signed char side;
-    algsurf_hit hit;
-    const algsurf_hit_packet hits = {.size = sizeof hits,
-                                     .state = &state,
-                                     .t = &hit.t,
-                                     .t_lo = &hit.t_lo,
-                                     .t_hi = &hit.t_hi,
-                                     .position = {hit.position, hit.position + 1, hit.position + 2},
-                                     .normal = {hit.normal, hit.normal + 1, hit.normal + 2},
-                                     .multiplicity = &hit.multiplicity,
-                                     .side = &side};
-    if (algsurf_intersect_packet(c->surface, extent, &rays, options, &hits) != ALGSURF_OK) return "packet";
-    if (algsurf_occluded_packet(c->surface, extent, &rays, options, &occluded) != ALGSURF_OK) return "packet";
-    const algsurf_hit *f = &a->first;
-    int same = state == f->state && side == f->side && hit.multiplicity == f->multiplicity &&
-               occluded == (int)a->occluded;
-    same &=
-        intersect_same(hit.t, f->t) && intersect_same(hit.t_lo, f->t_lo) && intersect_same(hit.t_hi, f->t_hi);
-    for (int i = 0; i < 3; i++)
-        same &=
-            intersect_same(hit.position[i], f->position[i]) && intersect_same(hit.normal[i], f->normal[i]);
-    return same ? NULL : "a packet says something else";
+    static packet_case p;
+    algsurf_hit hit, first = a->first;
+    packet_put(&p, 0, &c->ray);
+    if (packet_ask(&p, 0, 1, c->surface, extent, options) != ALGSURF_OK) return "packet";
+    hit = packet_hit(&p, 0);
+    first.reason = ALGSURF_OK;
+    return memcmp(&hit, &first, sizeof hit) == 0 && p.occluded[0] == a->occluded
+               ? NULL
+               : "a packet says something else";
 }
 
 /* The same calls, told to count hits of one side only. */

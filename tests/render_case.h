@@ -63,11 +63,17 @@ static inline void render(const algsurf_scene *scene, const algsurf_render_optio
     assert_ok(algsurf_render(scene, o, &planes, &p->stats));
 }
 
-static inline picture *drawn(const algsurf_scene *scene, int threads) {
+/* Released when the test ends. */
+static inline picture *new_picture(void) {
     picture *p = malloc(sizeof *p);
-    algsurf_render_options o = options_for(threads);
     assert_non_null(p);
     blank(p);
+    return unit_keep(p, free);
+}
+
+static inline picture *drawn(const algsurf_scene *scene, int threads) {
+    picture *p = new_picture();
+    algsurf_render_options o = options_for(threads);
     render(scene, &o, p);
     return p;
 }
@@ -84,11 +90,9 @@ static inline void add_stats(algsurf_render_stats *sum, const algsurf_render_sta
 /* The picture in slices between the cuts, 0 to H, from the bottom up, with changing numbers of threads; the
  * counts are added up. */
 static inline picture *sliced(const algsurf_scene *scene, const int *cuts) {
-    picture *p = malloc(sizeof *p);
+    picture *p = new_picture();
     algsurf_render_stats sum = {.size = sizeof sum};
     int count = 0;
-    assert_non_null(p);
-    blank(p);
     while (cuts[count] < H) count++;
     for (int k = count - 1; k >= 0; k--) {
         algsurf_render_options o = options_for(k % 2 + 1);

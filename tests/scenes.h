@@ -1,21 +1,35 @@
-/* scenes.h - surfaces and scenes as tests make them. */
+/* scenes.h - surfaces and scenes as tests make them, released when the test ends. */
 #ifndef SCENES_H
 #define SCENES_H
 #include "algsurf/algsurf.h"
 #include "exact.h"
 #include "unit.h"
 
+static inline void surface_release(void *surface) { algsurf_surface_free(surface); }
+
+static inline void scene_release(void *scene) { algsurf_scene_free(scene); }
+
+static inline algsurf_surface *surface_kept(algsurf_surface *surface) {
+    assert_non_null(surface);
+    return unit_keep(surface, surface_release);
+}
+
 static inline algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface = NULL;
     assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
-    return surface;
+    return surface_kept(surface);
 }
 
 static inline algsurf_surface *surface_of_terms(const algsurf_term *terms, size_t count) {
     algsurf_surface *surface = NULL;
     assert_ok(algsurf_surface_from_terms(terms, count, &surface));
-    assert_non_null(surface);
-    return surface;
+    return surface_kept(surface);
+}
+
+static inline algsurf_surface *surface_with_error(const algsurf_surface *exact, double error) {
+    algsurf_surface *surface = NULL;
+    assert_ok(algsurf_surface_with_error(exact, error, &surface));
+    return surface_kept(surface);
 }
 
 /* Up to 60 terms, some of them alike, of coefficients from 2^low to 2^high. */
@@ -37,11 +51,19 @@ static inline algsurf_camera pinhole_of(const double eye[3], const double at[3],
     return camera;
 }
 
+static inline algsurf_camera parallel_of(const double eye[3], const double at[3], const double up[3],
+                                         double height) {
+    algsurf_camera camera;
+    assert_ok(algsurf_camera_orthographic(eye, at, up, height, &camera));
+    return camera;
+}
+
 /* With this extent, camera and way to intersect; what is null stays as it is. */
 static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
                                       const algsurf_camera *camera, const algsurf_intersect_options *how) {
     algsurf_scene *scene = NULL;
     assert_ok(algsurf_scene_create(surface, &scene));
+    unit_keep(scene, scene_release);
     if (extent) assert_ok(algsurf_scene_set_extent(scene, extent));
     if (camera) assert_ok(algsurf_scene_set_camera(scene, camera));
     if (how) assert_ok(algsurf_scene_set_intersect_options(scene, how));

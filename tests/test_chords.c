@@ -22,12 +22,11 @@
  *
  *     test_chords [lines [pictures [seed]]]
  */
-#include "exact.h"
 #include "picture/impl.h"
 #include "base/vec.h"
 #include "simd/baseline.h"
 #include "beams/sight_template.h"
-#include "unit.h"
+#include "scenes.h"
 
 static long line_count = 20000, picture_count = 1500;
 static uint64_t first_seed = 20261125;
@@ -550,10 +549,8 @@ static void check_row(const test_view *v, const algsurf_i_picture *picture, uint
 static int check_view(const test_view *v, uint64_t *seed) {
     const algsurf_term terms[2] = {{2, 0, 0, 1}, {0, 0, 0, -v->extent.size[0] * v->extent.size[0]}};
     static algsurf_i_geometry geometry;
-    algsurf_surface *surface = NULL;
-    algsurf_scene *scene = NULL;
-    assert_ok(algsurf_surface_from_terms(terms, 2, &surface));
-    assert_ok(algsurf_scene_create(surface, &scene));
+    algsurf_surface *surface = surface_of_terms(terms, 2);
+    algsurf_scene *scene = scene_of(surface, NULL, NULL, NULL);
     assert_ok(algsurf_scene_set_extent(scene, &v->extent));
     assert_ok(algsurf_scene_set_camera(scene, &v->camera));
     assert_ok(algsurf_scene_set_clip(scene, v->planes, (size_t)v->plane_count));
@@ -562,8 +559,6 @@ static int check_view(const test_view *v, uint64_t *seed) {
     algsurf_i_scene_lighting(scene, picture.lights, &picture.lighting);
     int suits = algsurf_i_find_geometry(&picture, &geometry);
     for (int y = 0; suits && y < ROWS; y++) check_row(v, &picture, seed, y);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
     return suits;
 }
 

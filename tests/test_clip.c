@@ -14,7 +14,7 @@
 
 #define SEED 20261129u
 
-enum { ROUNDS = 3000, RAYS = 400, WIDTH = 96, HEIGHT = 72 };
+enum { ROUNDS = 3000, RAYS = PACKET_MOST, WIDTH = 96, HEIGHT = 72 };
 
 static const char *const equations[] = {
     "x = 1",
@@ -128,7 +128,6 @@ TEST(hits_are_those_kept) {
             in_surface += a.all[i].multiplicity == 0;
         }
     }
-    for (int i = 0; i < EQUATIONS; i++) algsurf_surface_free(cases[i].surface);
     printf("%d rounds: %d cut, %d with hits, %d hits on planes, %d in the surface\n", ROUNDS, cut, kept,
            on_plane, in_surface);
     assert_true(cut > ROUNDS / 5 && kept > ROUNDS / 8 && on_plane > ROUNDS / 20 && in_surface > ROUNDS / 200);
@@ -136,38 +135,21 @@ TEST(hits_are_those_kept) {
 
 /* ---- packets ---- */
 
-typedef struct answers {
-    unsigned char state[RAYS], occluded[RAYS];
-    int multiplicity[RAYS];
-    double t[RAYS];
-} answers;
-
-static void ask(const algsurf_surface *surface, const algsurf_extent *extent, double (*numbers)[RAYS],
-                const algsurf_intersect_options *o, answers *a) {
-    const algsurf_ray_packet rays = {.size = sizeof rays,
-                                     .count = RAYS,
-                                     .origin = {numbers[0], numbers[1], numbers[2]},
-                                     .direction = {numbers[3], numbers[4], numbers[5]}};
-    const algsurf_hit_packet hits = {
-        .size = sizeof hits, .state = a->state, .t = a->t, .multiplicity = a->multiplicity};
-    memset(a, 0, sizeof *a);
-    assert_ok(algsurf_intersect_packet(surface, extent, &rays, o, &hits));
-    assert_ok(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded));
-}
-
 /* Rays from anywhere to about the middle. */
-static void set_rays(double (*numbers)[RAYS], uint64_t *seed) {
-    for (int i = 0; i < RAYS; i++)
+static void set_rays(packet_case *p, uint64_t *seed) {
+    for (int i = 0; i < RAYS; i++) {
+        algsurf_ray ray = {.t_max = INFINITY};
         for (int k = 0; k < 3; k++) {
-            numbers[k][i] = 6 * random_unit(seed);
-            numbers[3 + k][i] = 2 * random_unit(seed) - numbers[k][i];
+            ray.origin[k] = 6 * random_unit(seed);
+            ray.direction[k] = 2 * random_unit(seed) - ray.origin[k];
         }
+        packet_put(p, i, &ray);
+    }
 }
 
 TEST(six_planes_are_a_box) {
     static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0.25, 0, -0.125}, {1.5, 2, 1.75}};
-    static double numbers[6][RAYS];
-    static answers planes_say, box_says, first;
+    static packet_case planes_say, box_says, first;
     algsurf_plane planes[6];
     algsurf_surface *surface = surface_of(tangle);
     uint64_t seed = SEED;
@@ -178,17 +160,18 @@ TEST(six_planes_are_a_box) {
         planes[k].normal[k / 2] = side;
     }
     for (int round = 0; round < 5; round++) {
-        set_rays(numbers, &seed);
+        set_rays(&box_says, &seed);
+        planes_say = box_says;
         for (int k = 0; algsurf_kernel_name(k); k++) {
             algsurf_intersect_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(k)};
-            ask(surface, &box, numbers, &o, &box_says);
+            assert_ok(packet_ask(&box_says, 0, RAYS, surface, &box, &o));
             o.planes = planes, o.plane_count = 6;
-            ask(surface, NULL, numbers, &o, &planes_say);
+            assert_ok(packet_ask(&planes_say, 0, RAYS, surface, NULL, &o));
             if (k == 0) first = planes_say;
             assert_memory_equal(&first, &planes_say, sizeof first);
         }
-        assert_memory_equal(box_says.state, planes_say.state, RAYS);
-        assert_memory_equal(box_says.occluded, planes_say.occluded, RAYS);
+        assert_memory_equal(box_says.state, planes_say.state, sizeof box_says.state);
+        assert_memory_equal(box_says.occluded, planes_say.occluded, sizeof box_says.occluded);
         assert_memory_equal(box_says.multiplicity, planes_say.multiplicity, sizeof box_says.multiplicity);
         for (int i = 0; i < RAYS; i++) {
             hits += box_says.state[i] == ALGSURF_STATE_HIT;
@@ -196,7 +179,6 @@ TEST(six_planes_are_a_box) {
                 fail_msg("ray %d: t = %a, not %a", i, planes_say.t[i], box_says.t[i]);
         }
     }
-    algsurf_surface_free(surface);
     assert_true(hits > RAYS && hits < 4 * RAYS);
 }
 
@@ -240,9 +222,7 @@ TEST(shadows_as_by_rays) {
         }
         assert_int_equal(differ, 0);
         assert_true(brighter > 100);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* The part of a pixel's ray before or behind a plane. */
@@ -267,10 +247,9 @@ TEST(complex_space_is_cut) {
     static const double eye[3] = {3, 6, 4}, centre[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.15}};
     static picture cut, whole;
-    algsurf_camera camera;
     algsurf_surface *surface = surface_of(tangle);
     int fewer = 0, hits = 0;
-    assert_ok(algsurf_camera_pinhole(eye, centre, up, 45, &camera));
+    algsurf_camera camera = pinhole_of(eye, centre, up, 45);
     algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     assert_ok(algsurf_scene_set_complex_space(scene, &space));
@@ -288,8 +267,6 @@ TEST(complex_space_is_cut) {
         fewer += whole.states[i] == ALGSURF_STATE_HIT && cut.states[i] != ALGSURF_STATE_HIT;
         hits += cut.states[i] == ALGSURF_STATE_HIT;
     }
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
     assert_true(fewer > 100 && hits > 500);
 }
 
@@ -298,9 +275,7 @@ TEST(complex_space_is_cut) {
 TEST(their_order_plays_no_part) {
     const algsurf_plane planes[3] = {{{1, -1, 0}, 5}, {{1, 0, 0}, 1}, {{-1, 0, 0}, 1}};
     const algsurf_ray ray = {{0, 0, 0}, {1, 1, 0}, -INFINITY, INFINITY};
-    algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 + 1", NULL, 0, &surface, NULL),
-                     ALGSURF_OK);
+    const algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 + 1");
     for (int k = 0; k < 3; k++) {
         const algsurf_plane turned[3] = {planes[k], planes[(k + 1) % 3], planes[(k + 2) % 3]};
         const algsurf_intersect_options how = {.size = sizeof how, .planes = turned, .plane_count = 3};
@@ -309,7 +284,6 @@ TEST(their_order_plays_no_part) {
         assert_int_equal(hit.state, ALGSURF_STATE_MISS);
         assert_int_equal(hit.side, 1);
     }
-    algsurf_surface_free(surface);
 }
 
 /* ---- arguments ---- */
@@ -354,6 +328,4 @@ TEST(bad_planes_are_refused) {
     assert_ok(algsurf_scene_set_clip(scene, NULL, 0));
     draw(scene, &after);
     assert_memory_not_equal(before.bytes, after.bytes, sizeof before.bytes);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }

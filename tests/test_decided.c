@@ -64,8 +64,6 @@ static void decide(const algsurf_extent *extent) {
 
 static void set_equation(const char *text) { intersect_equation(&c, text); }
 
-static void done(void) { algsurf_surface_free(c.surface); }
-
 static int whole(uint64_t *seed, int most) { return random_int(seed, 2 * most + 1) - most; }
 
 /* Through a point with whole coordinates, which is at t = passed/steps; all numbers are whole. */
@@ -108,7 +106,6 @@ TEST(test_powers) {
         set_equation(text);
         ray_through(&seed, point, flat ? d : across, n, steps);
         decide(NULL);
-        done();
     }
     end(150, 100, 1, 80, 0);
 }
@@ -129,7 +126,6 @@ TEST(test_conjugates) {
         set_equation(equations[i % 6]);
         ray_through(&seed, point, d, 1 + random_int(&seed, 3), 1 + random_int(&seed, 6));
         decide(NULL);
-        done();
     }
     end(120, 60, 5, 80, 0);
 }
@@ -155,7 +151,6 @@ TEST(test_gaps) {
             if (random_int(&seed, 4) == 0) c.ray.t_max = INFINITY;
             decide(NULL);
         }
-        done();
     }
     end(80, 50, 10, 5, 0);
 }
@@ -197,7 +192,6 @@ TEST(test_extents) {
             ball_case(&seed, off, text, sizeof text);
         set_equation(text);
         decide(i % 2 ? &box : &ball);
-        done();
     }
     end(300, 150, 30, 60, 0);
 }
@@ -219,7 +213,6 @@ TEST(test_own_extent) {
         if (i % 5 == 0) c.ray = (algsurf_ray){{-3, 1, 0}, {1, 0, 0}, 0, 0}; /* touches the ball */
         c.ray.t_min = 0, c.ray.t_max = INFINITY;
         decide(i % 3 ? &ball : &box);
-        done();
     }
     end(200, 140, 5, 40, 0);
 }
@@ -236,7 +229,6 @@ static void through(uint64_t *seed, const char *equation, const int point[3], co
         ray_through(seed, point, d, 1 + random_int(seed, 4), 1 + random_int(seed, 6));
         decide(i % 2 ? extent : NULL);
     }
-    done();
 }
 
 TEST(test_singular) {
@@ -277,7 +269,6 @@ TEST(test_nodes) {
         c.ray.t_min = 0, c.ray.t_max = INFINITY;
         decide(i % 2 ? &entry->extent : NULL);
     }
-    done();
     end(160, 100, 1, 0, 0);
 }
 
@@ -312,7 +303,6 @@ TEST(test_rays_within) {
             c.ray.t_min = ends[k % 5][0], c.ray.t_max = ends[k % 5][1];
             decide(extents + k / 5);
         }
-        done();
     }
     end(180, 80, 20, 0, 80);
 }
@@ -336,7 +326,6 @@ TEST(test_degrees) {
             ray_through(&seed, point, d, 1, 1 + random_int(&seed, 3));
             decide(NULL);
         }
-        done();
     }
     end(85, 40, 6, 0, 0);
 }
@@ -362,7 +351,6 @@ TEST(test_exponents) {
         if (c.ray.direction[0] == 0 && c.ray.direction[1] == 0) c.ray.direction[2] = 0x1p-1074;
         c.ray.t_min = random_int(&seed, 2) ? -INFINITY : 0, c.ray.t_max = INFINITY;
         decide(i % 3 ? NULL : &ball);
-        done();
     }
     end(120, 30, 30, 0, 0);
 }
@@ -377,7 +365,6 @@ TEST(test_small_origin) {
         c.ray = (algsurf_ray){{-0x1p-1060, 0, sign * 0x1p-239}, {0, 0, 0x1p-1074}, -INFINITY, INFINITY};
         decide(NULL);
         assert_true(answer.count == 1 && answer.first.position[2] == 0);
-        done();
     }
     end(2, 2, 0, 0, 0);
 }
@@ -407,7 +394,6 @@ TEST(test_beyond_doubles) {
         c.ray = rows[i / 2].ray;
         decide(&extent);
         assert_int_equal(answer.count, rows[i / 2].count);
-        done();
     }
     end(14, 10, 4, 2, 0);
 }
@@ -437,36 +423,28 @@ static int meets_sphere(const double o[3], const double d[3]) {
 /* A picture's rays: all hits survive. */
 TEST(test_picture_of_itself) {
     enum { SIDE = 300 };
-    static double o[3][SIDE], d[3][SIDE], t[SIDE];
-    static unsigned char found[SIDE], occluded[SIDE];
+    static packet_case p;
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     const double eye[3] = {1.7, -2.3, 1.1}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
-    algsurf_camera camera;
     int hits = 0;
-    assert_ok(algsurf_camera_pinhole(eye, at, up, 42, &camera));
+    algsurf_camera camera = pinhole_of(eye, at, up, 42);
     set_equation("x^2 + y^2 + z^2 - 1");
-    algsurf_ray_packet rays = {.size = sizeof rays, .count = SIDE};
-    const algsurf_hit_packet to = {.size = sizeof to, .state = found, .t = t};
-    for (int k = 0; k < 3; k++) rays.origin[k] = o[k], rays.direction[k] = d[k];
     for (int row = 0; row < SIDE; row++) {
         for (int x = 0; x < SIDE; x++) {
             algsurf_ray ray;
             assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray));
-            for (int k = 0; k < 3; k++) o[k][x] = ray.origin[k], d[k][x] = ray.direction[k];
+            packet_put(&p, x, &ray);
         }
-        assert_ok(algsurf_intersect_packet(c.surface, &ball, &rays, NULL, &to));
-        assert_ok(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded));
+        assert_ok(packet_ask(&p, 0, SIDE, c.surface, &ball, NULL));
         for (int x = 0; x < SIDE; x++) {
-            const double origin[3] = {o[0][x], o[1][x], o[2][x]}, along[3] = {d[0][x], d[1][x], d[2][x]};
-            int wanted = meets_sphere(origin, along) ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS;
+            const algsurf_ray ray = packet_ray(&p, x);
+            int wanted = meets_sphere(ray.origin, ray.direction) ? ALGSURF_STATE_HIT : ALGSURF_STATE_MISS;
             hits += wanted == ALGSURF_STATE_HIT;
-            if (found[x] != wanted || occluded[x] != wanted) {
-                exact_print_doubles("origin", origin, 3), exact_print_doubles("direction", along, 3);
-                fail_msg("row %d, column %d: state %d, occluded %d", row, x, found[x], occluded[x]);
-            }
+            if (p.state[x] == wanted && p.occluded[x] == wanted) continue;
+            exact_print_doubles("origin, direction", ray.origin, 6);
+            fail_msg("row %d, column %d: state %d, occluded %d", row, x, p.state[x], p.occluded[x]);
         }
     }
-    done();
     assert_in_range(hits, SIDE * SIDE / 3, SIDE * SIDE * 9 / 10);
 }
 
@@ -491,7 +469,6 @@ TEST(test_far_exponents) {
     assert_int_equal(hit.multiplicity, 7);
     assert_true(fabs(hit.t / (0x1p-1000 / 0x1.a888cefc9fcf2p+1) - 1) < 0x1p-50);
     assert_true(taken < 5);
-    done();
 }
 
 /* (x^2 + y^2 + z^2 - 1)^power; 0 if a coefficient is not a double. */
@@ -553,7 +530,6 @@ TEST(test_powers_of_a_sphere) {
         printf("power %d: %d hits of %d, %.3f ms a ray\n", rows[i].power, hits, rows[i].rays, 1e3 * taken);
         assert_true(hits * 9 > rows[i].rays && hits < rows[i].rays);
         if (taken > rows[i].most) fail_msg("power %d: %g s a ray", rows[i].power, taken);
-        done();
     }
 }
 
@@ -574,27 +550,21 @@ TEST(test_limit_of_memory) {
     assert_memory_equal(hits, before, sizeof hits);
     assert_true(count == 77 && (int)occluded == 77);
     /* a packet: the rays beside are answered */
-    const double x[3] = {-3, -3, -3}, y[3] = {9, 0.3, 9}, z[3] = {0, 0.2, 0}, dx[3] = {1, 1, 1},
-                 dy[3] = {0, 0x1p-40, 0}, dz[3] = {0, 0, 0};
-    unsigned char states[3] = {9, 9, 9}, any[3] = {9, 9, 9};
-    const algsurf_ray_packet rays = {
-        .size = sizeof rays, .count = 3, .origin = {x, y, z}, .direction = {dx, dy, dz}};
-    const algsurf_hit_packet to = {.size = sizeof to, .state = states};
+    const algsurf_ray other = {{-3, 9, 0}, {1, 0, 0}, 0, INFINITY};
+    static packet_case p;
+    for (int i = 0; i < 3; i++) packet_put(&p, i, i == 1 ? &c.ray : &other);
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
-    assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_E_NO_MEMORY);
-    assert_int_equal(algsurf_occluded_packet(c.surface, &box, &rays, &options, any), ALGSURF_E_NO_MEMORY);
+    assert_int_equal(packet_ask(&p, 0, 3, c.surface, &box, &options), ALGSURF_E_NO_MEMORY);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(states[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
-        assert_int_equal(any[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
+        assert_int_equal(p.state[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
+        assert_int_equal(p.occluded[i], i == 1 ? ALGSURF_STATE_UNDECIDED : ALGSURF_STATE_MISS);
     }
     options.max_memory = (size_t)1 << 24;
-    assert_ok(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to));
-    assert_int_equal(states[1], ALGSURF_STATE_HIT);
-    done();
+    assert_ok(packet_ask(&p, 0, 3, c.surface, &box, &options));
+    assert_int_equal(p.state[1], ALGSURF_STATE_HIT);
     begin("limit of memory");
     set_equation("(x^10 + y^10 + z^10 - 1)^2 (x + 99)");
     decide(NULL);
-    done();
     end(1, 1, 0, 2, 0);
 }
 

@@ -81,7 +81,6 @@ TEST(random_rays) {
             set_ray(&seed);
             decided += judge(NULL);
         }
-        algsurf_surface_free(c.surface);
         if (!random_salt && decided < rounds * 9 / 10)
             fail_msg("seed %u, %s: only %d of %d decided", SEED, equations[e], decided, rounds);
     }
@@ -96,7 +95,6 @@ TEST(short_rays) {
             set_short_ray(&seed);
             decided += judge(NULL);
         }
-        algsurf_surface_free(c.surface);
     }
     if (!random_salt && decided < EQUATIONS * 150 / 2) fail_msg("seed %u: only %d decided", SEED, decided);
 }
@@ -109,7 +107,6 @@ TEST(scales) {
         for (int scale = -240; scale <= 240; scale += 60) {
             algsurf_term terms[INTERSECT_TERMS];
             intersect_equation(&c, equations[e]);
-            algsurf_surface_free(c.surface);
             memcpy(terms, c.terms, (size_t)c.count * sizeof *terms);
             for (int i = 0; i < c.count; i++)
                 terms[i].a =
@@ -122,7 +119,6 @@ TEST(scales) {
                     c.ray.direction[k] = ldexp(c.ray.direction[k], scale);
                 decided += judge(NULL);
             }
-            algsurf_surface_free(c.surface);
         }
     if (!random_salt && decided < rounds * 97 / 100)
         fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
@@ -141,7 +137,6 @@ TEST(nearly_asymptotic) {
                 if (e == 2) c.ray.direction[2] = ldexp(random_unit(&seed), -k);
                 decided += judge(NULL);
             }
-        algsurf_surface_free(c.surface);
     }
     if (!random_salt && decided < rounds * 2 / 5)
         fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
@@ -170,7 +165,6 @@ TEST(planes) {
             }
             decided += judge(&o);
         }
-        algsurf_surface_free(c.surface);
     }
     if (!random_salt && decided < rounds * 4 / 5)
         fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
@@ -179,67 +173,30 @@ TEST(planes) {
 /* Many rays together, by every kernel: each has the answer that it has alone. */
 TEST(packets) {
     enum { RAYS = 203 };
-    static double numbers[8][RAYS], t[3][RAYS], x[6][RAYS];
-    static unsigned char active[RAYS], states[RAYS], occluded[RAYS];
-    static signed char sides[RAYS];
+    static packet_case p = {.masked = 1};
     uint64_t seed = SEED;
-    const char *name;
+    algsurf_intersect_options o = {.size = sizeof o};
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < RAYS; i++) {
             set_ray(&seed);
-            for (int k = 0; k < 3; k++)
-                numbers[k][i] = c.ray.origin[k], numbers[3 + k][i] = c.ray.direction[k];
-            numbers[6][i] = c.ray.t_min, numbers[7][i] = c.ray.t_max;
-            active[i] = random_int(&seed, 9) > 0;
+            packet_put(&p, i, &c.ray);
+            p.active[i] = random_int(&seed, 9) > 0;
         }
-        for (int kernel = 0; (name = algsurf_kernel_name(kernel)) != NULL; kernel++) {
-            const algsurf_intersect_options o = {.size = sizeof o, .kernel = name};
-            const algsurf_ray_packet rays = {.size = sizeof rays,
-                                             .count = RAYS,
-                                             .origin = {numbers[0], numbers[1], numbers[2]},
-                                             .direction = {numbers[3], numbers[4], numbers[5]},
-                                             .t_min = numbers[6],
-                                             .t_max = numbers[7],
-                                             .active = active};
-            const algsurf_hit_packet hits = {.size = sizeof hits,
-                                             .state = states,
-                                             .t = t[0],
-                                             .t_lo = t[1],
-                                             .t_hi = t[2],
-                                             .position = {x[0], x[1], x[2]},
-                                             .normal = {x[3], x[4], x[5]},
-                                             .side = sides};
-            memset(states, 77, sizeof states), memset(occluded, 77, sizeof occluded);
-            assert_ok(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits));
-            assert_ok(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded));
+        for (int kernel = 0; (o.kernel = algsurf_kernel_name(kernel)) != NULL; kernel++) {
+            memset(p.state, 77, sizeof p.state), memset(p.occluded, 77, sizeof p.occluded);
+            assert_ok(packet_ask(&p, 0, RAYS, c.surface, NULL, &o));
             for (int i = 0; i < RAYS; i++) {
                 algsurf_hit h;
-                int any;
-                if (!active[i]) {
-                    assert_true(states[i] == 77 && occluded[i] == 77);
-                    continue;
-                }
-                c.ray = (algsurf_ray){{numbers[0][i], numbers[1][i], numbers[2][i]},
-                                      {numbers[3][i], numbers[4][i], numbers[5][i]},
-                                      numbers[6][i],
-                                      numbers[7][i]};
-                assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h));
-                assert_ok(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any));
-                int same = states[i] == h.state && sides[i] == h.side && occluded[i] == any &&
-                           (any == ALGSURF_STATE_HIT) == (h.state == ALGSURF_STATE_HIT);
-                const double one[3] = {h.t, h.t_lo, h.t_hi};
-                for (int k = 0; k < 3; k++)
-                    same &= intersect_same(t[k][i], one[k]) && intersect_same(x[k][i], h.position[k]) &&
-                            intersect_same(x[3 + k][i], h.normal[k]);
-                if (!same) {
-                    answer = (intersect_answer){.first = h, .occluded = any};
-                    fprintf(stderr, "seed %u, %s, ray %d: state %d, t %a\n", SEED, name, i, states[i],
-                            t[0][i]);
-                    intersect_fail("a packet says something else", &c, &answer);
-                }
+                const char *wrong = p.active[i] ? packet_wrong(&p, i, c.surface, NULL, NULL, &h) : NULL;
+                assert_true(p.active[i] || (p.state[i] == 77 && p.occluded[i] == 77));
+                if (!wrong && (!p.active[i] || p.occluded[i] == p.state[i])) continue;
+                answer = (intersect_answer){.first = h, .occluded = p.occluded[i]};
+                c.ray = packet_ray(&p, i);
+                fprintf(stderr, "seed %u, %s, ray %d: state %d, t %a\n", SEED, o.kernel, i, p.state[i],
+                        p.t[i]);
+                intersect_fail("a packet says something else", &c, &answer);
             }
         }
-        algsurf_surface_free(c.surface);
     }
 }

@@ -16,7 +16,6 @@ static double lone(const char *number) {
     algsurf_surface *s = parse(text);
     algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     assert_ok(algsurf_surface_terms(s, terms));
-    algsurf_surface_free(s);
     return terms[1].a;
 }
 

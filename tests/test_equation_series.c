@@ -57,7 +57,6 @@ TEST(test_degrees) {
             double rounding = algsurf_surface_rounding(s);
             int small = (kind < 2 && most < 0x1p53) || (kind == 2 && n <= 20);
             if (small ? rounding != 0 : rounding > 0x1p-52) fail_msg("%s: rounding %a", text, rounding);
-            algsurf_surface_free(s);
             if (kind == 2) continue;
             sprintf(text, "%c_%d(1)x-%d*y", "TUP"[kind], n, kind ? n + 1 : 1);
             char same_as[64];
@@ -92,7 +91,7 @@ TEST(test_time) {
                                         "T_2(T_2(T_2(T_2(T_2(x+y+z+1)))))"};
     for (size_t n = 0; n < sizeof large / sizeof *large; n++) {
         double begin = unit_seconds();
-        algsurf_surface_free(parse(large[n]));
+        (void)parse(large[n]);
         double seconds = unit_seconds() - begin;
         if (seconds > 2) fail_msg("%s: %g s", large[n], seconds);
     }

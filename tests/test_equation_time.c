@@ -100,7 +100,6 @@ TEST(test_by_factors) {
                 fail_msg("%s: x^%d y^%d z^%d: %a, not %a", pairs[n][0], a[t].i, a[t].j, a[t].k, a[t].a,
                          b[t].a);
         assert_true(algsurf_surface_rounding(left) < 0x1p-52);
-        algsurf_surface_free(left), algsurf_surface_free(right);
     }
 }
 

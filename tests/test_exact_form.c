@@ -9,7 +9,7 @@
 #include "exact_zpolys.h"
 
 #include "surface/exact_form.h"
-#include "unit.h"
+#include "scenes.h"
 
 #define SEED 77u
 #define ROOM ((size_t)1 << 15)
@@ -90,7 +90,7 @@ static int check(const algsurf_term *given, int given_count, const algsurf_ray *
     assert_ptr_equal(tight.at, again.c + (size_t)(p.degree + 1) * (size_t)p.width);
     algsurf_memory_release(&m, start), algsurf_memory_release(&tight, empty);
     assert_int_equal(m.allocated + tight.allocated, 0);
-    exact_line_clear(&line), free(terms), algsurf_surface_free(s);
+    exact_line_clear(&line), free(terms);
     return p.degree;
 }
 
@@ -278,12 +278,11 @@ TEST(test_largest) {
     algsurf_term *t = malloc((size_t)((n + 1) * (n + 2) * (n + 3) / 6) * sizeof *t);
     int scale, count = dense(t, &seed, n, ORDINARY);
     algsurf_ray ray = {{1.5, 0.3, -0.7}, {0.1, 0.5, -0.25}, 0, 1};
-    algsurf_surface *s;
     algsurf_memory m;
     algsurf_zpoly p;
     mpq_t wanted, got;
     mpq_inits(wanted, got, NULL);
-    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
+    algsurf_surface *s = surface_of_terms(t, (size_t)count);
     algsurf_memory_begin(&m, block, ROOM, LIMIT);
     algsurf_memory_mark start = algsurf_memory_here(&m);
     assert_true(algsurf_i_exact_form(&m, s, ray.origin, ray.direction, -4, &p, &scale));
@@ -294,19 +293,18 @@ TEST(test_largest) {
         assert_true(mpq_equal(wanted, got));
     }
     algsurf_memory_release(&m, start);
-    mpq_clears(wanted, got, NULL), free(t), algsurf_surface_free(s);
+    mpq_clears(wanted, got, NULL), free(t);
 }
 
 /* With each smaller block and no more memory: refused, and nothing kept. */
 TEST(test_memory) {
     uint64_t block[1024], seed = SEED;
     algsurf_term t[84];
-    algsurf_surface *s;
     algsurf_memory m;
     algsurf_zpoly p;
     algsurf_ray ray = random_ray(&seed, ORDINARY);
     int count = dense(t, &seed, 6, ORDINARY), done = 0;
-    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
+    algsurf_surface *s = surface_of_terms(t, (size_t)count);
     size_t words = 0;
     for (; !done && words < 1024; words++) {
         algsurf_memory_begin(&m, block, words, 0);
@@ -315,5 +313,4 @@ TEST(test_memory) {
     }
     assert_true(done && words > 50);
     assert_in_range(words * sizeof *block, 500, 2560); /* of an ordinary ray of degree 6 */
-    algsurf_surface_free(s);
 }

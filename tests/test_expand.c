@@ -9,7 +9,7 @@
 
 #include "algsurf/expand.h"
 #include "environments.h"
-#include "unit.h"
+#include "scenes.h"
 
 #define SEED 21u
 
@@ -185,8 +185,7 @@ TEST(test_radii_are_small) {
 TEST(test_far_camera) {
     const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5},
                                    {0, 0, 6, 1}, {1, 1, 1, 2},  {0, 0, 0, -1}};
-    algsurf_surface *s;
-    assert_ok(algsurf_surface_from_terms(sextic, 6, &s));
+    algsurf_surface *s = surface_of_terms(sextic, 6);
     double radii[2][7], b[2][7], p[7], pr[7];
     for (int far = 0; far < 2; far++) {
         double distance = far ? 0x1p20 : 4;
@@ -199,7 +198,6 @@ TEST(test_far_camera) {
         assert_true(fabs(b[0][k] - b[1][k]) <= radii[0][k] + radii[1][k]);
     }
     assert_true(pr[0] > 1e3); /* and the power form about the far origin knows nothing, and says so */
-    algsurf_surface_free(s);
 }
 
 static void expect(algsurf_status wanted, algsurf_status bernstein, const algsurf_surface *s,
@@ -217,9 +215,8 @@ TEST(test_bad_input) {
     const algsurf_term sphere[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -1}};
     const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 2, 6};
     algsurf_ray ray = good;
-    algsurf_surface *s;
     double c[3];
-    assert_ok(algsurf_surface_from_terms(sphere, 4, &s));
+    algsurf_surface *s = surface_of_terms(sphere, 4);
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, NULL, &ray);
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, NULL);
     assert_int_equal(algsurf_expand_power(s, &ray, NULL, c), ALGSURF_E_ARGUMENT);
@@ -232,13 +229,11 @@ TEST(test_bad_input) {
     ray = good, ray.t_min = 7, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
     ray = good, ray.t_min = NAN, expect(ALGSURF_OK, ALGSURF_E_NOT_FINITE, s, &ray);
     ray = good, ray.origin[1] = 1e200, expect(ALGSURF_E_RANGE, ALGSURF_E_RANGE, s, &ray);
-    algsurf_surface_free(s);
     /* A chord so short, against the size of the surface, that its ends cannot be told apart. */
     const algsurf_term plane[] = {{1, 0, 0, 0x1p-454}, {0, 0, 0, -0x1p486}};
-    assert_ok(algsurf_surface_from_terms(plane, 2, &s));
+    s = surface_of_terms(plane, 2);
     ray = (algsurf_ray){{0, 0, 0x1p109}, {0, 0, 0x1p-720}, 2, 10};
     expect(ALGSURF_OK, ALGSURF_E_RANGE, s, &ray);
-    algsurf_surface_free(s);
 }
 
 TEST(test_environment) {

@@ -52,7 +52,6 @@ TEST(hairs_apart) {
             undecided += answer.first.state == ALGSURF_STATE_UNDECIDED;
             intersect_judge(&c, NULL, &answer);
         }
-        algsurf_surface_free(c.surface);
     }
     if (undecided * 5 < rays) fail_msg("seed %u: %d rays, %d undecided", SEED, rays, undecided);
 }
@@ -87,7 +86,6 @@ TEST(exactly) {
         intersect_judge(&c, NULL, &answer);
         if (answer.count != cases[i].count || answer.first.multiplicity != cases[i].multiplicity)
             intersect_fail("exactly", &c, &answer);
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -128,7 +126,6 @@ TEST(roots_of_all_sizes) {
                         roots[k].t_hi);
             fail_msg("%s on [%a, %a]: %d roots", cases[i].equation, cases[i].lo, cases[i].hi, n);
         }
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -145,7 +142,6 @@ TEST(random_rays) {
             terms[k] = (algsurf_term){e[0], e[1], e[2], random_int(&seed, 9) - 4};
         }
         if (!intersect_terms(&c, terms, count) || c.degree < 1) {
-            algsurf_surface_free(c.surface);
             continue;
         }
         for (int k = 0; k < 4; k++) {
@@ -156,7 +152,6 @@ TEST(random_rays) {
             rays++;
             for (int h = 0; h < answer.count; h++) multiple += answer.all[h].multiplicity != 1;
         }
-        algsurf_surface_free(c.surface);
     }
     if (rays < 300 || multiple < 20) fail_msg("seed %u: %d rays, %d multiple roots", SEED, rays, multiple);
 }
@@ -185,7 +180,6 @@ TEST(what_becomes_of_undecided) {
         if (answer.count && !(h->t_lo <= 1.0 / 3 && 1.0 / 3 <= h->t_hi && h->multiplicity == 0)) wrong = "t";
         if (wrong) intersect_fail(wrong, &c, &answer);
     }
-    algsurf_surface_free(c.surface);
 }
 
 TEST(bad_options) {
@@ -196,7 +190,6 @@ TEST(bad_options) {
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
     o.tier = ALGSURF_TIER_CERTIFIED, o.undecided_as = 3;
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
-    algsurf_surface_free(c.surface);
 }
 
 /* Rays made to touch, at numbers of few digits: multiple roots that are decided, each once. */
@@ -223,6 +216,5 @@ TEST(touching_rays) {
         for (int k = 0; k < answer.count; k++)
             if (answer.all[k].state != ALGSURF_STATE_HIT || answer.all[k].t != rows[i].t[k])
                 intersect_fail("not decided", &c, &answer);
-        algsurf_surface_free(c.surface);
     }
 }

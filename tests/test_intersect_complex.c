@@ -50,7 +50,6 @@ TEST(test_real_space) {
             assert_true(fabs(complex.t - real.t) <= 1e-9 * real.t);
             for (int k = 0; k < 3; k++) assert_true(fabs(complex.normal[k] - real.normal[k]) < 1e-6);
         }
-        algsurf_surface_free(s);
     }
     assert_true(hits > 300);
 }
@@ -97,7 +96,6 @@ TEST(test_complex_sphere) {
         *(hit.state == ALGSURF_STATE_HIT ? &seen : &lost) += 1;
     }
     assert_true(seen > 500 && lost > 100);
-    algsurf_surface_free(s);
 }
 
 /* The normal is orthogonal to how the shown point moves when the direction turns. */
@@ -137,7 +135,6 @@ TEST(test_normal) {
         checked++;
     }
     assert_true(checked > 50);
-    algsurf_surface_free(s);
 }
 
 /* Start values change the time, not the answer. */
@@ -161,7 +158,6 @@ TEST(test_start_values) {
         assert_memory_equal(&cold.t, &warm.t, sizeof cold.t);
         assert_memory_equal(cold.normal, warm.normal, sizeof cold.normal);
     }
-    algsurf_surface_free(s);
 }
 
 /* They may come in the array that the roots go to.  With an error the roots' last bits tell them apart. */
@@ -172,15 +168,13 @@ TEST(test_start_in_place) {
     const algsurf_ray ray = ray_towards(eye, target);
     algsurf_complex cold[4], warm[4], in_place[4];
     algsurf_hit hit;
-    assert_ok(algsurf_surface_with_error(exact, 1e-2, &s));
+    s = surface_with_error(exact, 1e-2);
     assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, cold, &hit, NULL));
     for (int k = 0; k < 4; k++) in_place[k] = (algsurf_complex){1.01 * cold[k].re, 0.97 * cold[k].im};
     assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, in_place, warm, &hit, NULL));
     assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, in_place, in_place, &hit, NULL));
     assert_memory_not_equal(warm, cold, sizeof warm);
     assert_memory_equal(warm, in_place, sizeof warm);
-    algsurf_surface_free(exact);
-    algsurf_surface_free(s);
 }
 
 TEST(test_far_eye) {
@@ -193,7 +187,6 @@ TEST(test_far_eye) {
     assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hit.t - real.t) <= 4e-16 * real.t);
     for (int k = 0; k < 3; k++) assert_true(fabs(hit.position[k] - real.position[k]) < 1e-12);
-    algsurf_surface_free(s);
 }
 
 /* A ray in the surface, one beyond the range of double, one that touches: undecided, and why; without a root
@@ -226,7 +219,6 @@ TEST(test_undecided) {
             for (int k = 0; k < 3; k++)
                 assert_true(hit.position[k] == ray->origin[k] + hit.t * ray->direction[k]);
         }
-        algsurf_surface_free(s);
     }
 }
 
@@ -252,7 +244,6 @@ TEST(test_beyond_range) {
         assert_true(isfinite(hit.t) == (hit.state != ALGSURF_STATE_MISS) && hit.t_lo <= hit.t &&
                     hit.t <= hit.t_hi);
         for (int k = 0; k < 3; k++) assert_true(isfinite(hit.position[k]));
-        algsurf_surface_free(s);
     }
 }
 
@@ -264,15 +255,13 @@ TEST(test_small_coordinates) {
                                              {{0, 0, 1, 0x1p-457}, {0, 0, 0, 0x1p927}}};
     const algsurf_complex_space space = space_of(0, 1e-10);
     for (int i = 0; i < 2; i++) {
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_terms(planes[i], 2, &s));
+        algsurf_surface *s = surface_of_terms(planes[i], 2);
         algsurf_hit hit = hit_of(s, rays + i, &space);
         assert_int_equal(hit.state, ALGSURF_STATE_HIT);
         for (int k = 0; k < 3; k++) {
             const double x = fma(hit.t, rays[i].direction[k], rays[i].origin[k]);
             assert_true(fabs(hit.position[k] - x) <= 0x1p-50 * fabs(x));
         }
-        algsurf_surface_free(s);
     }
 }
 
@@ -286,11 +275,9 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
     const algsurf_term terms[] = {{1, 0, 0, p->a}};
     const algsurf_ray ray = {{p->x, 0, 0}, {p->d, 0, 0}, 0, p->t_max};
     algsurf_complex_space space = space_of(0, delta);
-    algsurf_surface *s = NULL;
     space.imaginary = (const double[]){p->m, p->k}, space.imaginary_count = 2;
-    assert_ok(algsurf_surface_from_terms(terms, 1, &s));
+    algsurf_surface *s = surface_of_terms(terms, 1);
     algsurf_hit hit = hit_of(s, &ray, &space);
-    algsurf_surface_free(s);
     if (hit.state != ALGSURF_STATE_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
         exact_print("|t|", size);
         fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: |t| not in [%a, %a]", p->a, p->x, p->d, p->t_max,
@@ -340,7 +327,6 @@ TEST(test_small_t_min) {
     assert_true(hit_of(s, &ray, &space).state != ALGSURF_STATE_HIT);
     ray.t_min = 0x1p-1000;
     assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_STATE_MISS);
-    algsurf_surface_free(s);
 }
 
 /* Roots of nearly the same magnitude, x^2 + 2^-k x - 1 from 0, seen in all directions. */
@@ -350,12 +336,10 @@ TEST(test_rivals) {
         const algsurf_term terms[] = {{2, 0, 0, 1}, {1, 0, 0, ldexp(1, -k)}, {0, 0, 0, -1}};
         const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
         const algsurf_complex_space space = space_of(0, pi);
-        algsurf_surface *s = NULL;
         algsurf_complex root;
         algsurf_hit hit;
-        assert_ok(algsurf_surface_from_terms(terms, 3, &s));
+        algsurf_surface *s = surface_of_terms(terms, 3);
         assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
-        algsurf_surface_free(s);
         if (hit.state == ALGSURF_STATE_UNDECIDED) continue;
         decided++;
         if (hit.state != ALGSURF_STATE_HIT || root.re < 0)
@@ -383,7 +367,6 @@ TEST(test_conjugates) {
             fail_msg("k = %d: state %d, root %a + i %a", k, hit.state, root.re, root.im);
     }
     assert_true(decided > 30);
-    algsurf_surface_free(s);
 }
 
 /* The root is 2^-107 outside of the ball; nearer to it than doubles place the chord's end. */
@@ -392,12 +375,10 @@ TEST(test_edge_of_the_extent) {
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 0, 0, -0x1.ffffffffffd1bp-1}};
     const algsurf_complex_space space = space_of(0, 0);
-    algsurf_surface *s = NULL;
     algsurf_hit hit;
-    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    algsurf_surface *s = surface_of_terms(terms, 2);
     assert_ok(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL));
     assert_int_equal(hit.state, ALGSURF_STATE_MISS);
-    algsurf_surface_free(s);
 }
 
 /* As many numbers are read as are there, and zeros, of either sign, change nothing; nor does it matter how
@@ -433,7 +414,6 @@ TEST(test_counts) {
         assert_memory_equal(&hit, &one, sizeof hit);
         imaginary[1] = 0;
     }
-    algsurf_surface_free(s);
 }
 
 TEST(test_bad_arguments) {
@@ -487,5 +467,4 @@ TEST(test_bad_arguments) {
     bad.size = 1;
     assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL), ALGSURF_E_SIZE);
     assert_memory_equal(&hit, &before, sizeof hit);
-    algsurf_surface_free(s);
 }

@@ -170,7 +170,6 @@ TEST(roots_at_the_edge) {
             judge(&e, i, &ties);
             rounds++, inside += e.sign[0] > 0 || e.sign[1] > 0;
         }
-        algsurf_surface_free(e.c.surface);
     }
     mpq_clears(e.root[0], e.root[1], NULL);
     if (rounds < ROUNDS / 3 || ties * 5 > rounds || inside * 10 < rounds || inside * 10 > rounds * 9)
@@ -205,7 +204,6 @@ TEST(largest_extents) {
         assert_true(intersect_terms(&c, terms, 2));
         intersect_judge_in(&c, &extent, NULL, &a);
         hits += a.count > 0, misses += a.count == 0;
-        algsurf_surface_free(c.surface);
     }
     if (hits < 100 || misses < 50) fail_msg("seed %u: %d hits, %d misses", SEED, hits, misses);
 }
@@ -236,7 +234,6 @@ TEST(grazing_lines) {
             intersect_judge_in(&c, &extent, NULL, &a);
             if (a.first.state != wanted || a.count != (wanted != ALGSURF_STATE_MISS))
                 intersect_fail("grazing", &c, &a);
-            algsurf_surface_free(c.surface);
         }
 }
 
@@ -287,7 +284,6 @@ TEST(found_before) {
         intersect_judge_in(&c, &cases[i].extent, NULL, &a);
         if (a.count != cases[i].count || a.first.multiplicity != cases[i].multiplicity)
             intersect_fail(cases[i].equation, &c, &a);
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -296,15 +292,11 @@ TEST(a_long_box) {
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1e15, 1, 1}};
     static intersect_case c;
     intersect_answer a;
-    algsurf_surface *exact;
     intersect_equation(&c, "x - 1");
-    exact = c.surface;
-    assert_ok(algsurf_surface_with_error(exact, 1e-10, &c.surface));
+    c.surface = surface_with_error(c.surface, 1e-10);
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_ask(&c, &extent, NULL, &a);
     if (a.first.state != ALGSURF_STATE_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
-    algsurf_surface_free(c.surface);
-    algsurf_surface_free(exact);
 }
 
 /* Along this ray x = t - 3/2, y is a unit in the last place of t there, z far less: roots at 0, at k y, and z
@@ -374,7 +366,6 @@ TEST(ends_of_parts) {
                 find_hairs(c.surface, roots, count, step(end), 1.75);
                 find_hairs(c.surface, roots, count, 1.25, step(end));
             }
-            algsurf_surface_free(c.surface);
         }
 }
 
@@ -429,7 +420,6 @@ TEST(undecided_at_the_edge) {
             judge_bounded(&e, i, &undecided);
             rounds++;
         }
-        algsurf_surface_free(e.c.surface);
     }
     mpq_clears(e.root[0], e.root[1], NULL);
     if (undecided * 10 < rounds || undecided == rounds)

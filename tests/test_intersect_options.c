@@ -85,11 +85,10 @@ TEST(test_tolerance_and_rounding) {
     } hard[] = {{"boy", 44, 57}, {"labs", 48, 39}, {"barth-decic", 43, 33}};
     for (int i = 0; i < 3; i++) {
         const catalogue_entry *entry = catalogue_find(hard[i].name);
-        algsurf_camera camera;
         double seen = 0;
         int hits = 0;
         intersect_equation(&c, entry->equation);
-        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+        algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
         for (int pixel = 0; pixel < 9 * 12; pixel++) {
             double x = hard[i].x % 8 + pixel % 12 * 8 + 0.5, y = hard[i].y % 8 + pixel / 12 * 8 + 0.5;
             algsurf_hit known;
@@ -105,7 +104,6 @@ TEST(test_tolerance_and_rounding) {
             hits++;
         }
         if (hits < 20 || seen < 1e-8) fail_msg("%s: %d hits, off by %g", entry->name, hits, seen);
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -146,7 +144,6 @@ TEST(test_methods_and_tolerances) {
                 }
             exact_sturm_clear(&s);
         }
-        algsurf_surface_free(c.surface);
     }
     if (hits < 2000 || short_of * 100 > hits) fail_msg("%d hits, regula falsi short of %d", hits, short_of);
 }
@@ -163,7 +160,6 @@ TEST(test_iteration_limit) {
     options.max_iterations = 0;
     intersect_judge(&c, &options, &answer);
     assert_true(fabs(rough.t - answer.first.t) > 1e-6 && fabs(rough.t - answer.first.t) < 1);
-    algsurf_surface_free(c.surface);
 }
 
 /* ---- what is refused ---- */
@@ -208,7 +204,6 @@ TEST(test_bad_input) {
     assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, -1, &count),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded(c.surface, NULL, &good, NULL, NULL), ALGSURF_E_ARGUMENT);
-    algsurf_surface_free(c.surface);
 }
 
 TEST(test_capacity) {
@@ -223,7 +218,6 @@ TEST(test_capacity) {
     assert_int_equal(count, 77);
     assert_ok(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count));
     assert_int_equal(count, 2);
-    algsurf_surface_free(c.surface);
 }
 
 TEST(test_options) {
@@ -246,7 +240,6 @@ TEST(test_options) {
     o = defaults, o.max_iterations = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.tier = 2, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.method = 4, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
-    algsurf_surface_free(c.surface);
 }
 
 /* ---- the environment ---- */
@@ -278,6 +271,5 @@ TEST(test_environment) {
                 }
             }
         }
-        algsurf_surface_free(c.surface);
     }
 }

@@ -7,6 +7,7 @@
  * neighbours, a mask or a count not looked at, rays not checked, a kernel that undecided everything, an
  * environment left as the caller's, a single call with other bits than a packet.
  */
+#define PACKET_MOST 33
 #include "intersect_case.h"
 
 #include "catalogue.h"
@@ -16,74 +17,19 @@
 #include "scenes.h"
 
 #define SEED 47u
-enum { MOST = 33 };
-
-/* Rays and answers, side by side. */
-typedef struct packet_case {
-    double origin[3][MOST], direction[3][MOST], t_min[MOST], t_max[MOST];
-    unsigned char active[MOST];
-    int masked;
-    unsigned char state[MOST], occluded[MOST];
-    double t[MOST], t_lo[MOST], t_hi[MOST], position[3][MOST], normal[3][MOST];
-    int multiplicity[MOST];
-    signed char side[MOST], reason[MOST];
-} packet_case;
+enum { MOST = PACKET_MOST };
 
 static packet_case p, q;
 static const algsurf_surface *surface;
 
-static void put_ray(packet_case *c, int i, const algsurf_ray *ray) {
-    for (int k = 0; k < 3; k++) {
-        c->origin[k][i] = ray->origin[k];
-        c->direction[k][i] = ray->direction[k];
-    }
-    c->t_min[i] = ray->t_min;
-    c->t_max[i] = ray->t_max;
-}
-
-static algsurf_ray ray_at(const packet_case *c, int i) {
-    return (algsurf_ray){{c->origin[0][i], c->origin[1][i], c->origin[2][i]},
-                         {c->direction[0][i], c->direction[1][i], c->direction[2][i]},
-                         c->t_min[i],
-                         c->t_max[i]};
-}
-
-static algsurf_hit hit_at(const packet_case *c, int i) {
-    return (algsurf_hit){c->state[i],
-                         ALGSURF_OK,
-                         c->multiplicity[i],
-                         c->side[i],
-                         c->t[i],
-                         c->t_lo[i],
-                         c->t_hi[i],
-                         {c->position[0][i], c->position[1][i], c->position[2][i]},
-                         {c->normal[0][i], c->normal[1][i], c->normal[2][i]}};
-}
-
 /* Both calls for rays first .. first+count-1. */
-static algsurf_status ask(packet_case *c, int first, int count, const algsurf_extent *extent,
-                          const algsurf_intersect_options *options) {
-    algsurf_ray_packet rays = {.size = sizeof rays, .count = (size_t)count};
-    algsurf_hit_packet hits = {.size = sizeof hits, .state = c->state + first};
-    rays.t_min = c->t_min + first, rays.t_max = c->t_max + first;
-    if (c->masked) rays.active = c->active + first;
-    hits.t = c->t + first, hits.t_lo = c->t_lo + first, hits.t_hi = c->t_hi + first;
-    hits.multiplicity = c->multiplicity + first, hits.side = c->side + first;
-    hits.reason = c->reason + first;
-    for (int k = 0; k < 3; k++) {
-        rays.origin[k] = c->origin[k] + first;
-        rays.direction[k] = c->direction[k] + first;
-        hits.position[k] = c->position[k] + first;
-        hits.normal[k] = c->normal[k] + first;
-    }
-    algsurf_status status = algsurf_intersect_packet(surface, extent, &rays, options, &hits);
-    algsurf_status other = algsurf_occluded_packet(surface, extent, &rays, options, c->occluded + first);
-    assert_int_equal(status, other);
-    return status;
+static int ask(packet_case *c, int first, int count, const algsurf_extent *extent,
+               const algsurf_intersect_options *options) {
+    return packet_ask(c, first, count, surface, extent, options);
 }
 
 static _Noreturn void packet_fail(const char *what, const packet_case *c, int i, const algsurf_hit *single) {
-    algsurf_ray ray = ray_at(c, i);
+    algsurf_ray ray = packet_ray(c, i);
     exact_print_doubles("origin", ray.origin, 3), exact_print_doubles("direction", ray.direction, 3);
     fprintf(stderr, "t in [%a, %a]\n", ray.t_min, ray.t_max);
     fprintf(stderr, "packet: state %d side %d at %a in [%a, %a], occluded %d\n", c->state[i], c->side[i],
@@ -124,21 +70,6 @@ static void judge_normal(const packet_case *c, int i, const algsurf_hit *hit) {
     tallied.normals++;
 }
 
-/* A single call's bits are those of the packet. */
-static void judge_single(const packet_case *c, int i, const algsurf_extent *extent,
-                         const algsurf_intersect_options *options) {
-    algsurf_ray ray = ray_at(c, i);
-    algsurf_hit single, hit = hit_at(c, i);
-    int occluded;
-    assert_ok(algsurf_intersect_first(surface, extent, &ray, options, &single));
-    assert_ok(algsurf_occluded(surface, extent, &ray, options, &occluded));
-    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_STATE_UNDECIDED))
-        packet_fail("a reason to be undecided", c, i, &single);
-    single.reason = ALGSURF_OK; /* packets do not tell */
-    if (memcmp(&hit, &single, sizeof hit) != 0 || c->occluded[i] != occluded)
-        packet_fail("not what a single call writes", c, i, &single);
-}
-
 /* What integers say of a ray. */
 static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *extent) {
     const algsurf_i_region region = {extent, NULL, 0};
@@ -162,9 +93,11 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
 /* Ray i of a packet that was asked, beside what integers say. */
 static void judge(const packet_case *c, int i, const algsurf_extent *extent,
                   const algsurf_intersect_options *options) {
-    algsurf_ray ray = ray_at(c, i);
-    algsurf_hit single = exact_hit(&ray, extent), hit = hit_at(c, i);
-    judge_single(c, i, extent, options);
+    algsurf_ray ray = packet_ray(c, i);
+    algsurf_hit single = exact_hit(&ray, extent), hit = packet_hit(c, i);
+    algsurf_hit alone;
+    const char *wrong = packet_wrong(c, i, surface, extent, options, &alone);
+    if (wrong) packet_fail(wrong, c, i, &alone);
     if (hit.state != single.state) packet_fail("state", c, i, &single);
     if (c->occluded[i] != single.state) packet_fail("occluded", c, i, &single);
     if (hit.multiplicity != single.multiplicity) packet_fail("multiplicity", c, i, &single);
@@ -292,7 +225,7 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
                 ray.t_min = fmax(ray.t_min, ends[1] - 3 * s / d);
                 ray.t_max = fmin(ray.t_max, ends[1] + 3 * s / d);
             }
-            put_ray(&p, i, &ray);
+            packet_put(&p, i, &ray);
         }
         judge_all(MOST, extents[e]);
     }
@@ -301,8 +234,7 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
 TEST(test_catalogue) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s = surface_of(entry->equation);
-        surface = s;
+        surface = surface_of(entry->equation);
         tallied = (tally){0};
         for (int kind = 0; kind < KINDS; kind++)
             for (int round = 0; round < 4; round++) judge_kind(&seed, entry, (enum kind)kind);
@@ -310,7 +242,6 @@ TEST(test_catalogue) {
                              tallied.normals * 4 < tallied.hits * 3))
             fail_msg("%s: %d rays, %d hits, %d misses, %d normals", entry->name, tallied.rays, tallied.hits,
                      tallied.misses, tallied.normals);
-        algsurf_surface_free(s);
     }
 }
 
@@ -325,18 +256,16 @@ TEST(test_cancellation) {
     uint64_t seed = SEED;
     tallied = (tally){0};
     for (int i = 0; i < 3; i++) {
-        algsurf_surface *s = surface_of(equations[i]);
-        surface = s;
+        surface = surface_of(equations[i]);
         const algsurf_extent ball = {
             ALGSURF_EXTENT_SPHERE, {centres[i][0], centres[i][1], centres[i][2]}, {3, 0, 0}};
         for (int round = 0; round < 60; round++) {
             for (int j = 0; j < MOST; j++) {
                 algsurf_ray ray = make_ray(&seed, &ball, round % 4 ? GRAZING : ENDS);
-                put_ray(&p, j, &ray);
+                packet_put(&p, j, &ray);
             }
             judge_all(MOST, &ball);
         }
-        algsurf_surface_free(s);
     }
     assert_true(tallied.hits > 1000 && tallied.misses > 1000);
 }
@@ -363,8 +292,7 @@ static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const
 TEST(test_hits_on_the_extent) {
     const catalogue_entry *entry = catalogue_find("tangle");
     uint64_t seed = SEED;
-    algsurf_surface *s = surface_of(entry->equation);
-    surface = s;
+    surface = surface_of(entry->equation);
     tallied = (tally){0};
     for (int round = 0; round < 750; round++) {
         algsurf_ray ray;
@@ -379,13 +307,12 @@ TEST(test_hits_on_the_extent) {
         double *size = &e.size[box ? axis : 0];
         *size = nextafter(nextafter(nextafter(*size, 0), 0), 0);
         for (int i = 0; i < 7; i++) { /* seven neighbouring sizes */
-            put_ray(&p, 0, &ray);
+            packet_put(&p, 0, &ray);
             judge_all(1, &e);
             *size = nextafter(*size, 9);
         }
     }
     assert_true(tallied.hits > 1000 && tallied.misses > 1000);
-    algsurf_surface_free(s);
 }
 
 /* Exactly tangent, exactly at the ends, along double lines. */
@@ -414,12 +341,10 @@ TEST(test_undecided_rays) {
     const algsurf_extent wide = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {64, 0, 0}};
     tallied = (tally){0};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
-        algsurf_surface *s = surface_of(odd[i].equation);
-        surface = s;
-        put_ray(&p, 0, &odd[i].ray);
+        surface = surface_of(odd[i].equation);
+        packet_put(&p, 0, &odd[i].ray);
         judge_all(1, NULL);
         judge_all(1, &wide);
-        algsurf_surface_free(s);
     }
     assert_true(tallied.multiple >= 8 && tallied.hits > 20);
 }
@@ -429,12 +354,12 @@ static intersect_case c;
 /* Ray i of the packet, with the packet's answers in place of a single call's, judged by a Sturm chain. */
 static int judge_exactly(int i, double *error) {
     intersect_answer answer;
-    c.ray = ray_at(&p, i);
+    c.ray = packet_ray(&p, i);
     exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
     exact_sturm s = exact_sturm_of(line.c, c.degree);
     if (s.count > 0) {
         intersect_ask(&c, NULL, NULL, &answer);
-        algsurf_hit hit = hit_at(&p, i);
+        algsurf_hit hit = packet_hit(&p, i);
         if (hit.state != answer.first.state) intersect_fail("state", &c, &answer);
         hit.reason = answer.first.reason;
         answer.first = hit;
@@ -466,7 +391,7 @@ TEST(test_exact) {
             if (ray.direction[0] == 0 && ray.direction[1] == 0) ray.direction[2] = 1;
             ray.t_min = random_int(&seed, 3) ? 0 : -1;
             ray.t_max = random_int(&seed, 8) ? eye + 4 : 1e4;
-            put_ray(&p, i, &ray);
+            packet_put(&p, i, &ray);
         }
         assert_ok(ask(&p, 0, MOST, NULL, NULL));
         for (int i = 0; i < MOST; i++) {
@@ -475,7 +400,6 @@ TEST(test_exact) {
             judged++, hits += p.state[i] == ALGSURF_STATE_HIT;
             precise += p.state[i] == ALGSURF_STATE_HIT && error < 8;
         }
-        algsurf_surface_free(c.surface);
     }
     if (judged < 900 || hits * 5 < judged || precise * 100 < hits * 99)
         fail_msg("seed %u: %d rays, %d hits, %d precise", SEED, judged, hits, precise);
@@ -492,9 +416,7 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
                     lgamma(n + 1) - lgamma(i + 1) - lgamma(j + 1) - lgamma(k + 1) - lgamma(n - i - j - k + 1);
                 terms[count++] = (algsurf_term){i, j, k, random_unit(seed) * exp(0.5 * ways)};
             }
-    algsurf_surface *s;
-    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
-    return s;
+    return surface_of_terms(terms, (size_t)count);
 }
 
 /* Undecided ones among some rays, by the kernel itself. */
@@ -519,19 +441,17 @@ TEST(test_degrees) {
     uint64_t seed = SEED;
     for (size_t d = 0; d < sizeof degrees / sizeof degrees[0]; d++) {
         int n = degrees[d], left = 0, rays = 0;
-        algsurf_surface *s = dense_surface(&seed, n);
-        surface = s;
+        surface = dense_surface(&seed, n);
         for (int round = 0; round < (n > 20 ? 1 : 12); round++) {
             for (int i = 0; i < MOST; i++) {
                 algsurf_ray ray = ray_from(&seed, &ball, 4);
-                put_ray(&p, i, &ray);
+                packet_put(&p, i, &ray);
             }
             if (round < 2) judge_all(n > 20 ? 5 : MOST, &ball);
             if (n <= 20) left += undecided(&ball, 0) + undecided(&ball, 1), rays += 2 * MOST;
         }
         /* the bounds grow with the degree; 8 % for 20 were measured */
         if (left * 100 > rays * (n < 15 ? 1 : 20)) fail_msg("degree %d: %d of %d undecided", n, left, rays);
-        algsurf_surface_free(s);
     }
 }
 
@@ -539,32 +459,26 @@ TEST(test_catalogue_is_decided) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         int left = 0, rays = 0;
-        algsurf_surface *s = surface_of(entry->equation);
-        surface = s;
+        surface = surface_of(entry->equation);
         for (int round = 0; round < 60; round++) {
             for (int i = 0; i < MOST; i++) {
                 algsurf_ray ray = ray_from(&seed, &entry->extent, round % 2 ? 4 : 1e5);
-                put_ray(&p, i, &ray);
+                packet_put(&p, i, &ray);
             }
             left += undecided(&entry->extent, 0), rays += MOST;
         }
         if (left * 100 > rays) fail_msg("%s: %d of %d undecided", entry->name, left, rays);
-        algsurf_surface_free(s);
     }
 }
 
-static algsurf_surface *barth(void) {
-    algsurf_surface *s = surface_of(catalogue_find("barth")->equation);
-    surface = s;
-    return s;
-}
+static const algsurf_surface *barth(void) { return surface_of(catalogue_find("barth")->equation); }
 
 static void fill(uint64_t *seed, const algsurf_extent *extent) {
     memset(&p, 0x5a, sizeof p);
-    p.masked = 0;
+    p.masked = p.sideless = 0;
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = make_ray(seed, extent, i % 5 ? OUTSIDE : GRAZING);
-        put_ray(&p, i, &ray);
+        packet_put(&p, i, &ray);
         p.active[i] = random_int(seed, 3) ? (unsigned char)(1 + random_int(seed, 255)) : 0;
     }
 }
@@ -572,7 +486,7 @@ static void fill(uint64_t *seed, const algsurf_extent *extent) {
 /* Any count, any mask, any split: the same bits, and not a byte of the others touched. */
 TEST(test_counts_masks_splits) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case untouched = p, whole = p, single = p;
@@ -603,13 +517,12 @@ TEST(test_counts_masks_splits) {
             if (memcmp(&got, &wanted, sizeof got) != 0)
                 fail_msg("seed %u: count %d, masked %d", SEED, count, masked);
         }
-    algsurf_surface_free(s);
 }
 
 /* Every array but state may be missing; t_min and t_max then are 0 and infinity. */
 TEST(test_missing_arrays) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case untouched = p, whole = p;
@@ -630,12 +543,11 @@ TEST(test_missing_arrays) {
                                     &hits.position[0], &hits.position[1], &hits.position[2],
                                     &hits.normal[0],   &hits.normal[1],   &hits.normal[2]};
         if (given < 9) *members[given] = results[given];
-        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
+        assert_ok(algsurf_intersect_packet(surface, extent, &rays, NULL, &hits));
         assert_memory_equal(got.state, whole.state, sizeof got.state);
         for (int i = 0; i < 9; i++)
             assert_memory_equal(results[i], i == given ? wanted[i] : untouched.t, sizeof untouched.t);
     }
-    algsurf_surface_free(s);
 }
 
 /* Refused by both calls, nothing written. */
@@ -652,7 +564,7 @@ static void refuse_ray(algsurf_status expected, int bad, const packet_case *answ
                        const algsurf_extent *extent) {
     const packet_case asked = p;
     packet_case wanted = *answered;
-    algsurf_ray ray = ray_at(&p, bad);
+    algsurf_ray ray = packet_ray(&p, bad);
     algsurf_hit hit;
     assert_int_equal(algsurf_intersect_first(surface, extent, &ray, NULL, &hit), expected);
     assert_int_equal(ask(&p, 0, MOST, extent, NULL), expected);
@@ -669,7 +581,7 @@ static void refuse_ray(algsurf_status expected, int bad, const packet_case *answ
 
 TEST(test_bad_rays) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     const packet_case good = p;
@@ -690,7 +602,6 @@ TEST(test_bad_rays) {
     assert_true(p.reason[20] == ALGSURF_E_ARGUMENT && p.reason[21] == ALGSURF_E_NOT_FINITE);
     p.masked = 1, p.active[20] = 0, p.active[21] = 1;
     assert_int_equal(ask(&p, 0, MOST, extent, NULL), ALGSURF_E_NOT_FINITE);
-    algsurf_surface_free(s);
 }
 
 /* Arrays of structs, of doubles and of floats, have the bits of arrays of doubles. */
@@ -706,7 +617,7 @@ TEST(test_layouts) {
     static in_floats f[MOST];
     static packet_case got;
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     for (int i = 0; i < MOST; i++)
@@ -733,8 +644,8 @@ TEST(test_layouts) {
             rays.float_t_min = &f->t_min, rays.float_t_max = &f->t_max;
         else
             rays.t_min = &a->t_min, rays.t_max = &a->t_max;
-        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
-        assert_ok(algsurf_occluded_packet(s, extent, &rays, NULL, got.occluded));
+        assert_ok(algsurf_intersect_packet(surface, extent, &rays, NULL, &hits));
+        assert_ok(algsurf_occluded_packet(surface, extent, &rays, NULL, got.occluded));
         assert_ok(ask(&p, 0, MOST, extent, NULL));
         assert_memory_equal(got.state, p.state, sizeof p.state);
         assert_memory_equal(got.occluded, p.occluded, sizeof p.occluded);
@@ -754,20 +665,19 @@ TEST(test_layouts) {
             rays.float_t_min = &f[MOST - 1].t_min, rays.float_t_max = &f[MOST - 1].t_max;
         else
             rays.t_min = &a[MOST - 1].t_min, rays.t_max = &a[MOST - 1].t_max;
-        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
+        assert_ok(algsurf_intersect_packet(surface, extent, &rays, NULL, &hits));
         for (int i = 0; i < MOST; i++) assert_memory_equal(got.t + i, p.t + MOST - 1 - i, sizeof *p.t);
         if (floats)
             rays.t_min = doubles;
         else
             rays.float_direction[2] = f->direction;
-        assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_intersect_packet(surface, extent, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     }
-    algsurf_surface_free(s);
 }
 
 TEST(test_errors) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     algsurf_extent bad = *extent;
     algsurf_intersect_options options = {.size = sizeof options};
@@ -781,29 +691,28 @@ TEST(test_errors) {
     for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
     algsurf_hit_packet hits = {.size = sizeof hits, .state = p.state};
     assert_int_equal(algsurf_intersect_packet(NULL, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_packet(s, NULL, NULL, NULL, &hits), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_occluded_packet(s, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_occluded_packet(s, NULL, NULL, NULL, p.state), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(surface, NULL, NULL, NULL, &hits), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded_packet(surface, NULL, NULL, NULL, p.state), ALGSURF_E_ARGUMENT);
     hits.state = NULL;
-    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     hits.state = p.state, rays.origin[2] = NULL;
-    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     rays.origin[2] = p.origin[2];
     for (rays.size = 0; rays.size < sizeof rays; rays.size++) /* no release had a smaller one */
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
+        assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
     for (hits.size = 0; hits.size < sizeof hits; hits.size++)
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
+        assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, NULL, &hits), ALGSURF_E_SIZE);
     const algsurf_ray_packet none = {.size = sizeof none};
     const algsurf_hit_packet nowhere = {.size = sizeof nowhere};
-    assert_ok(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere));
-    assert_ok(algsurf_occluded_packet(s, extent, &none, NULL, NULL));
-    algsurf_surface_free(s);
+    assert_ok(algsurf_intersect_packet(surface, extent, &none, NULL, &nowhere));
+    assert_ok(algsurf_occluded_packet(surface, extent, &none, NULL, NULL));
 }
 
 TEST(test_kernel_names) {
     const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
-    algsurf_surface *s = barth();
+    surface = barth();
     algsurf_intersect_options options = {.size = sizeof options};
     algsurf_hit hit;
     int occluded;
@@ -812,22 +721,21 @@ TEST(test_kernel_names) {
         char name[16];
         snprintf(name, sizeof name, "%s", algsurf_kernel_name(count++));
         options.kernel = name;
-        assert_ok(algsurf_intersect_first(s, NULL, &ray, &options, &hit));
+        assert_ok(algsurf_intersect_first(surface, NULL, &ray, &options, &hit));
     }
     assert_true(count >= 1 && count <= 3);
     assert_string_equal(algsurf_kernel_name(count - 1), "baseline");
     assert_null(algsurf_kernel_name(-1));
     options.kernel = "sse9";
-    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, &options, &hit), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_all(s, NULL, &ray, &options, &hit, 1, &room), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_occluded(s, NULL, &ray, &options, &occluded), ALGSURF_E_ARGUMENT);
-    algsurf_surface_free(s);
+    assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &options, &hit), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(surface, NULL, &ray, &options, &hit, 1, &room), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded(surface, NULL, &ray, &options, &occluded), ALGSURF_E_ARGUMENT);
 }
 
 /* Other methods, limits and tolerances: the bits of single calls, or as near as asked. */
 TEST(test_options) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     for (int method = ALGSURF_METHOD_DEFAULT; method <= ALGSURF_METHOD_REGULA_FALSI; method++) {
@@ -836,23 +744,19 @@ TEST(test_options) {
         options.absolute_tolerance = 1e-4;
         assert_ok(ask(&p, 0, MOST, extent, &options));
         for (int i = 0; i < MOST; i++) {
-            algsurf_ray ray = ray_at(&p, i);
-            algsurf_hit single, hit = hit_at(&p, i);
-            assert_ok(algsurf_intersect_first(s, extent, &ray, &options, &single));
-            single.reason = ALGSURF_OK;
-            assert_memory_equal(&hit, &single, sizeof hit);
+            algsurf_hit single;
+            assert_null(packet_wrong(&p, i, surface, extent, &options, &single));
         }
     }
     algsurf_intersect_options options = {.size = sizeof options, .absolute_tolerance = 1e-4};
     assert_ok(ask(&p, 0, MOST, extent, &options));
     for (int i = 0; i < MOST; i++) {
-        algsurf_ray ray = ray_at(&p, i);
+        algsurf_ray ray = packet_ray(&p, i);
         algsurf_hit exact;
-        assert_ok(algsurf_intersect_first(s, extent, &ray, NULL, &exact));
+        assert_ok(algsurf_intersect_first(surface, extent, &ray, NULL, &exact));
         assert_int_equal(p.state[i], exact.state);
         if (p.state[i] == ALGSURF_STATE_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
     }
-    algsurf_surface_free(s);
 }
 
 /* The same scene larger or smaller, up to sizes that packets leave to single calls. */
@@ -866,7 +770,6 @@ TEST(test_scales) {
         int count = c.count;
         for (int i = 0; i < count; i++)
             terms[i].a = ldexp(terms[i].a, (4 - terms[i].i - terms[i].j - terms[i].k) * k - 2 * k);
-        algsurf_surface_free(c.surface);
         assert_true(intersect_terms(&c, terms, count));
         surface = c.surface;
         const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, ldexp(0.1, k)}, {ldexp(3.7, k), 0, 0}};
@@ -877,11 +780,10 @@ TEST(test_scales) {
                 algsurf_ray ray = ray_from(&seed, &ball, 4);
                 int length = round == 3 ? random_int(&seed, 1200) - 600 : 0;
                 for (int j = 0; j < 3; j++) ray.direction[j] = ldexp(ray.direction[j], length);
-                put_ray(&p, i, &ray);
+                packet_put(&p, i, &ray);
             }
             judge_all(MOST, round % 2 ? &ball : &box);
         }
-        algsurf_surface_free(c.surface);
     }
     assert_true(tallied.hits * 2 > tallied.rays);
 }
@@ -892,12 +794,11 @@ TEST(test_lengths) {
     const algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_BOUNDED};
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s = surface_of(entry->equation);
-        surface = s;
+        surface = surface_of(entry->equation);
         for (int k = 0; k < 6; k++) {
             for (int i = 0; i < MOST; i++) {
                 algsurf_ray ray = make_ray(&seed, &entry->extent, i % 3 ? OUTSIDE : PARTS);
-                put_ray(&p, i, &ray);
+                packet_put(&p, i, &ray);
             }
             q = p;
             for (int i = 0; i < MOST; i++) {
@@ -907,14 +808,13 @@ TEST(test_lengths) {
             assert_ok(ask(&p, 0, MOST, &entry->extent, &options));
             assert_ok(ask(&q, 0, MOST, &entry->extent, &options));
             for (int i = 0; i < MOST; i++) {
-                algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
+                algsurf_hit plain = packet_hit(&p, i), scaled = packet_hit(&q, i);
                 scaled.t = ldexp(scaled.t, lengths[k]);
                 scaled.t_lo = ldexp(scaled.t_lo, lengths[k]), scaled.t_hi = ldexp(scaled.t_hi, lengths[k]);
                 if (plain.state != ALGSURF_STATE_UNDECIDED && memcmp(&plain, &scaled, sizeof plain) != 0)
                     packet_fail("another length", &q, i, &plain);
             }
         }
-        algsurf_surface_free(s);
     }
 }
 
@@ -930,9 +830,7 @@ TEST(test_out_of_range) {
         const algsurf_extent extents[] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {size, 0, 0}},
                                           {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}}};
         const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 1, 1, 1}, {0, 0, 0, -ldexp(1, k)}};
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_terms(terms, 4, &s));
-        surface = s;
+        surface = surface_of_terms(terms, 4);
         for (int i = 0; i < ENDS_COUNT * ENDS_COUNT; i++) {
             for (int j = 0; j < LENGTHS_COUNT; j++) {
                 algsurf_ray ray = ray_from(&seed, extents, i % 3 ? 4 : 0.5);
@@ -941,11 +839,10 @@ TEST(test_out_of_range) {
                 for (int l = 0; l < 3; l++) ray.direction[l] = ray.direction[l] / longest * lengths[j];
                 ray.t_min = (i + j) % 2 ? ends[i / ENDS_COUNT] : -ends[i / ENDS_COUNT];
                 ray.t_max = ends[i % ENDS_COUNT];
-                put_ray(&p, j, &ray);
+                packet_put(&p, j, &ray);
             }
             judge_all(LENGTHS_COUNT, &extents[i % 2]);
         }
-        algsurf_surface_free(s);
     }
     assert_true(tallied.hits > 100 && tallied.misses > 100);
 }
@@ -954,18 +851,16 @@ TEST(test_out_of_range) {
 TEST(test_subnormal) {
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 1, 1, 1}};
     const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
-    algsurf_surface *s;
     algsurf_hit hit;
-    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    algsurf_surface *s = surface_of_terms(terms, 2);
     assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
     assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
-    algsurf_surface_free(s);
 }
 
 /* Extents far larger or smaller than the surface, and far away. */
 TEST(test_odd_extents) {
-    algsurf_surface *s = barth();
+    surface = barth();
     const double sizes[] = {0x1p-1000, 0x1p-500, 0x1p-120, 0x1p-40, 0x1p-20,
                             0x1p20,    0x1p40,   0x1p120,  0x1p500, 0x1p1000};
     uint64_t seed = SEED;
@@ -976,16 +871,15 @@ TEST(test_odd_extents) {
                                 {sizes[i], sizes[i], 3 * sizes[i]}};
             for (int j = 0; j < MOST; j++) {
                 algsurf_ray ray = ray_from(&seed, &e, j % 2 ? 4 : 0.5);
-                put_ray(&p, j, &ray);
+                packet_put(&p, j, &ray);
             }
             judge_all(MOST, &e);
         }
-    algsurf_surface_free(s);
 }
 
 TEST(test_environments) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
-    algsurf_surface *s = barth();
+    surface = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case before = p;
@@ -1002,5 +896,4 @@ TEST(test_environments) {
             assert_memory_equal(&q, &p, sizeof p);
         }
     }
-    algsurf_surface_free(s);
 }

@@ -41,13 +41,9 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
     uint64_t seed = SEED;
     int done = 0, certain = 0, hits = 0, precise = 0, narrow = 0, measured = 0;
     for (int i = 0; i < rounds; i++) {
-        if (i % 4 == 0) {
-            algsurf_surface_free(c.surface);
-            if (!intersect_random(&c, &seed, 2 + random_int(&seed, most_degree - 1), small)) {
-                c.surface = NULL;
-                i += 3;
-                continue;
-            }
+        if (i % 4 == 0 && !intersect_random(&c, &seed, 2 + random_int(&seed, most_degree - 1), small)) {
+            i += 3;
+            continue;
         }
         random_ray(&seed, bits);
         if (in_the_surface()) continue;
@@ -63,8 +59,6 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
             exact_sturm_clear(&s), exact_line_clear(&line);
         }
     }
-    algsurf_surface_free(c.surface);
-    c.surface = NULL;
     if (hits * 5 < done || certain * 100 < done * least_certain || precise * 100 < measured * 99 ||
         narrow * 100 < measured * 97)
         fail_msg("seed %u: %d rays, %d certain, %d hits, of %d %d precise, %d in a narrow interval", SEED,

@@ -34,7 +34,6 @@ static void judge(touch *e, int round) {
         exact_print_doubles("centre", e->extent.centre, 3), exact_print_doubles("size", e->extent.size, 3);
         intersect_fail("not as many hits as roots in the extent", &e->c, &a);
     }
-    algsurf_surface_free(e->c.surface);
 }
 
 /* From outside towards a point inside: both are less than 30 wide. */
@@ -158,7 +157,6 @@ TEST(test_backwards) {
             assert_true(root[k - first].t == 3 + 2 * k);
         }
     }
-    algsurf_surface_free(e.c.surface);
 }
 
 /* The ray passes the sphere, which divides P, by 2^-121; close to where it is nearest P has another root. */

@@ -240,7 +240,6 @@ TEST(catalogue_hits) {
                 right &= off(got, hits[i].normal) <= 1e-10 + 4 * bend;
                 if (!right) fail_msg("%s, view %d, pixel %d %d", e->name, turn, pixel[i], y);
             }
-            algsurf_surface_free(s.surface);
         }
     assert_in_range(checked, 1500, INT32_MAX); /* so many when there is one kernel only */
 }
@@ -249,7 +248,6 @@ TEST(catalogue_hits) {
 static algsurf_surface *random_surface(int degree, int even, uint64_t *state) {
     algsurf_term terms[300];
     size_t count = 0;
-    algsurf_surface *s = NULL;
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++)
             for (int k = 0; i + j + k <= degree; k++) {
@@ -257,8 +255,7 @@ static algsurf_surface *random_surface(int degree, int even, uint64_t *state) {
                 if (random_int(state, 3) == 0 || count == 0)
                     terms[count++] = (algsurf_term){i, j, k, random_unit(state)};
             }
-    assert_ok(algsurf_surface_from_terms(terms, count, &s));
-    return s;
+    return surface_of_terms(terms, count);
 }
 
 /* P and its gradient at random points, whatever the shape of the polynomial. */
@@ -274,7 +271,6 @@ TEST(random_surfaces) {
         for (int i = 0; i < count; i++)
             pixel[i] = random_int(&random, WIDTH), depth[i] = random_unit(&random);
         assert_in_range(check_row(&s, pixel, depth, count), count, 3 * count);
-        algsurf_surface_free(s.surface);
     }
 }
 
@@ -321,11 +317,9 @@ TEST(steps) {
         assert_true(off(normal, (double[3]){0, 0, 1}) == 0);
         assert_true(out.at[1][0] == 0.5 && out.at[2][0] == 0.5);
     }
-    algsurf_surface_free(s.surface);
     look_down_z(&s, "x^2 + y^2 - 1/2", 0.5); /* the gradient is across the ray */
     one(&s, 0.5, 0.75, &out);
     assert_true(out.at[0][0] == 2.75 && out.at[3][0] == -0.75);
-    algsurf_surface_free(s.surface);
 }
 
 /* Points without a gradient: where it is 0, and where it leaves the range of double. */
@@ -345,7 +339,6 @@ TEST(singular_points) {
         for (int i = 4; i < 7; i++) assert_true(out.at[i][0] == 0);
         assert_true(out.at[0][0] == cases[k].depth + 2 && out.at[1][0] == cases[k].u);
         assert_true(out.at[2][0] == cases[k].v && out.at[3][0] == -cases[k].depth);
-        algsurf_surface_free(s.surface);
     }
 }
 
@@ -361,14 +354,12 @@ TEST(scales) {
         one(&s, 0, -sizes[k], &out);
         get(&out, 0, 4, normal);
         if (!(off(normal, expected) <= 1e-15)) fail_msg("at %g", sizes[k]);
-        algsurf_surface_free(s.surface);
     }
     stage s;
     look_down_z(&s, "z^2 + 2y^2", 0x1p-1060); /* its squares are 0, its gradient is not */
     one(&s, 0, -0x1p-1060, &out);
     get(&out, 0, 4, normal);
     assert_true(off(normal, expected) <= 1e-15);
-    algsurf_surface_free(s.surface);
 }
 
 /* Any number of entries, by any kernel: the bits of each entry alone; the rest of the arrays untouched.
@@ -402,7 +393,6 @@ TEST(same_bits) {
                     assert_memory_equal(out.at[o] + ENTRIES - begin, alone.at[o] + ENTRIES, SPARE * 8);
                 }
             }
-        algsurf_surface_free(s.surface);
     }
     free(pixel), free(depth);
 }

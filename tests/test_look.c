@@ -69,8 +69,6 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
         fail_msg("%s, quality %d: largest channel of the darkest %d, below 60 %d of %d, burnt out %d, L* "
                  "%.1f %.1f %.1f",
                  entry->name, (int)quality, darkest, dark, count, burnt, first, middle, last);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 TEST(standard) {

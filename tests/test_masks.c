@@ -76,7 +76,6 @@ static void draw(const view *v, int tier) {
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
     assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     assert_ok(algsurf_render(scene, &o, &planes, &stats));
-    algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
     if (stats.undecided >
         (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / (random_salt ? 400 : 4000))) {
@@ -178,7 +177,6 @@ static void check_surface(const char *name, const char *equation, const algsurf_
         name, seen.checked, seen.outlines, seen.hits, seen.misses, seen.ends, seen.undecided, seen.rays,
         seen.excused, seen.wrong);
     exact_form_clear(&v.form);
-    algsurf_surface_free(v.surface);
     assert_int_equal(seen.wrong, 0);
     if (whole) return;
     assert_often(seen.outlines * 3 > seen.checked);

@@ -8,15 +8,9 @@
 #include "mesh_open.h"
 #include "mesh_threads.h"
 #include "mesh_write.h"
-#include "unit.h"
+#include "scenes.h"
 
 static const double PI = 3.14159265358979323846;
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface;
-    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
-    return surface;
-}
 
 static algsurf_extent ball(double radius) {
     return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {radius, 0, 0}};
@@ -30,7 +24,6 @@ static mesh make(const char *equation, algsurf_extent extent, const mesh_options
     algsurf_surface *surface = surface_of(equation);
     mesh m;
     assert_ok(mesh_make(surface, &extent, options, &m));
-    algsurf_surface_free(surface);
     return m;
 }
 
@@ -141,7 +134,6 @@ TEST(test_vertices_on_the_surface) {
     mesh better = make("x^2 + y^2 + z^2 = 1", ball(1.2), &even);
     m = make("x^2 + y^2 + z^2 = 1", ball(1.2), &options);
     assert_true(mesh_deviation(&better, sphere) < 0.7 * mesh_deviation(&m, sphere));
-    algsurf_surface_free(sphere);
     mesh_free(&m);
     mesh_free(&better);
 }
@@ -191,17 +183,15 @@ TEST(test_doubts) {
 }
 
 TEST(test_undecided_is_told) {
-    algsurf_surface *exact = surface_of("(x^2 + y^2 + z^2 - 1)^2"), *rough;
+    algsurf_surface *exact = surface_of("(x^2 + y^2 + z^2 - 1)^2");
     const algsurf_extent extent = ball(1.2);
     const mesh_options options = {.cells = 16};
     mesh m;
-    assert_ok(algsurf_surface_with_error(exact, 1e-9, &rough));
+    const algsurf_surface *rough = surface_with_error(exact, 1e-9);
     assert_ok(mesh_make(rough, &extent, &options, &m));
     assert_true(m.doubts[MESH_UNDECIDED].count > 100);
     assert_int_equal(measure(&m).open, 0); /* whatever it is, it is closed */
     mesh_free(&m);
-    algsurf_surface_free(exact);
-    algsurf_surface_free(rough);
 }
 
 /* Planes and lines of the lattice in the surface, or as near as doubles are. */
@@ -230,8 +220,7 @@ TEST(test_degenerate) {
     mesh_space space = {.surface = plane, .extent = extent};
     assert_ok(mesh_space_begin(&space, 10));
     algsurf_term terms[2] = {{1, 0, 0, 1}, {0, 0, 0, -space.point[0][5]}};
-    algsurf_surface *lattice_plane;
-    assert_ok(algsurf_surface_from_terms(terms, 2, &lattice_plane));
+    const algsurf_surface *lattice_plane = surface_of_terms(terms, 2);
     mesh m;
     assert_ok(mesh_make(lattice_plane, &extent, &options, &m));
     const mesh_measures of = measure(&m);
@@ -239,8 +228,6 @@ TEST(test_degenerate) {
     near(4 * (1 + space.point[0][5]), of.volume, 1e-4); /* vertices keep off the faces of cells */
     mesh_free(&m);
     mesh_space_end(&space);
-    algsurf_surface_free(plane);
-    algsurf_surface_free(lattice_plane);
 }
 
 static int stop(int done, int total, void *data) {
@@ -270,7 +257,6 @@ TEST(test_calls) {
     assert_memory_equal(m.corner, other.corner, m.triangles * sizeof *m.corner);
     mesh_free(&m);
     mesh_free(&other);
-    algsurf_surface_free(surface);
 }
 
 static int count_bytes(const void *bytes, size_t count, void *data) {

@@ -11,9 +11,8 @@
  *   steps before the point at once       far_out, near_tips
  *   the form's exponents left out        far_out, scaled
  */
-#include "algsurf/algsurf.h"
 #include "exact_ray.h"
-#include "unit.h"
+#include "scenes.h"
 
 static const uint64_t seed = 20251125;
 
@@ -352,8 +351,6 @@ TEST(pictures) {
         const double c[3] = {ldexp(1, s), ldexp(3, s - 1), -ldexp(1, s - 1)}, up[3] = {0, 1, 0};
         const double eye[3] = {c[0] + 4, c[1] + 2, c[2] + 5};
         body b = constant(1);
-        algsurf_scene *scene;
-        algsurf_camera camera;
         times_quadric(&b, c, round_weights, 1);
         if (s < 13) times_quadric(&b, c, round_weights, 4);
         finish(&b);
@@ -361,8 +358,8 @@ TEST(pictures) {
         const algsurf_render_options options = {
             .size = sizeof options, .width = SIDE, .height = SIDE, .row_end = SIDE};
         const algsurf_picture picture = {.size = sizeof picture, .t = t, .normals = normals};
-        assert_ok(algsurf_camera_pinhole(eye, c, up, 0.5, &camera));
-        assert_ok(algsurf_scene_create(b.surface, &scene));
+        algsurf_camera camera = pinhole_of(eye, c, up, 0.5);
+        algsurf_scene *scene = scene_of(b.surface, NULL, NULL, NULL);
         assert_ok(algsurf_scene_set_extent(scene, &extent));
         assert_ok(algsurf_scene_set_camera(scene, &camera));
         assert_ok(algsurf_render(scene, &options, &picture, NULL));
@@ -383,7 +380,6 @@ TEST(pictures) {
             seen++;
         }
         assert_true(seen > 50);
-        algsurf_scene_free(scene);
         drop(&b);
     }
 }

@@ -355,7 +355,6 @@ TEST(rays_are_watched) {
             how.tier = ALGSURF_TIER_BOUNDED;
             assert_true(watch_ray(&s, how) <= ALGSURF_ENGINE_DOUBLES);
         }
-        algsurf_surface_free(s.surface);
     }
     assert_true(random_salt || (decided[ALGSURF_ENGINE_DOUBLES] > 50 && decided[ALGSURF_ENGINE_INTEGERS] > 10));
 }
@@ -363,7 +362,6 @@ TEST(rays_are_watched) {
 /* Where rays go side by side nobody can watch. */
 TEST(packets_and_pictures_refuse) {
     algsurf_surface *surface;
-    algsurf_scene *picture;
     const double o[3] = {-3, 0.1, 0.2}, d[3] = {1, 0, 0};
     unsigned char hit = 77;
     algsurf_observer observer = {.size = sizeof observer};
@@ -374,7 +372,7 @@ TEST(packets_and_pictures_refuse) {
     const algsurf_ray ray = {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, 9};
     algsurf_hit one;
     surface = surface_of(equations[0]);
-    assert_ok(algsurf_scene_create(surface, &picture));
+    algsurf_scene *picture = scene_of(surface, NULL, NULL, NULL);
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_set_intersect_options(picture, &how), ALGSURF_E_ARGUMENT);
@@ -384,6 +382,4 @@ TEST(packets_and_pictures_refuse) {
     how.observer = NULL;
     assert_ok(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits));
     assert_ok(algsurf_scene_set_intersect_options(picture, &how));
-    algsurf_scene_free(picture);
-    algsurf_surface_free(surface);
 }

@@ -5,6 +5,7 @@
  * off, or the centre; one that is not recognised; a ball that is replaced by a larger one though the surface
  * is not its own; an eye made at another point than the rays'. */
 
+#include "packet_case.h"
 #include "rays/region.h"
 #include "scenes.h"
 
@@ -42,10 +43,8 @@ static int is_ball(const algsurf_surface *s, const algsurf_extent *extent) {
 }
 
 static int is_own(const ball *b, const algsurf_extent *extent) {
-    algsurf_surface *s = NULL;
-    assert_ok(algsurf_surface_from_terms(b->term, 7, &s));
+    algsurf_surface *s = surface_of_terms(b->term, 7);
     int own = is_ball(s, extent);
-    algsurf_surface_free(s);
     return own;
 }
 
@@ -81,15 +80,12 @@ TEST(test_others) {
     for (size_t i = 0; i < sizeof equation / sizeof *equation; i++) {
         s = surface_of(equation[i]);
         assert_false(is_ball(s, &ball_of_1));
-        algsurf_surface_free(s);
     }
     s = surface_of("x^2 + y^2 + z^2 = 1");
     assert_true(is_ball(s, &ball_of_1));
     assert_false(is_ball(s, &box) || is_ball(s, NULL));
-    assert_ok(algsurf_surface_with_error(s, 1e-10, &known));
+    known = surface_with_error(s, 1e-10);
     assert_false(is_ball(known, &ball_of_1));
-    algsurf_surface_free(known);
-    algsurf_surface_free(s);
 }
 
 /* Many rays of one origin that doubles leave undecided, as a packet and each alone: the same bits. */
@@ -102,43 +98,23 @@ TEST(test_shared_origin) {
     uint64_t seed = SEED + 1;
     int hits = 0, misses = 0;
     for (size_t e = 0; e < sizeof equation / sizeof *equation; e++) {
-        double origin[3][RAYS], direction[3][RAYS], t[RAYS], t_lo[RAYS], t_hi[RAYS];
-        unsigned char states[RAYS];
-        int multiplicity[RAYS];
-        signed char side[RAYS];
+        static packet_case p;
         algsurf_surface *s = surface_of(equation[e]);
-        for (int i = 0; i < RAYS; i++)
-            for (int k = 0; k < 3; k++) {
-                origin[k][i] = k == 0 ? -3.1 : 0.3 * k;
-                direction[k][i] = k == 0 ? 1 : 0.4 * random_unit(&seed);
-            }
-        const algsurf_ray_packet rays = {.size = sizeof rays,
-                                         .count = RAYS,
-                                         .origin = {origin[0], origin[1], origin[2]},
-                                         .direction = {direction[0], direction[1], direction[2]}};
-        const algsurf_hit_packet to = {.size = sizeof to,
-                                       .state = states,
-                                       .t = t,
-                                       .t_lo = t_lo,
-                                       .t_hi = t_hi,
-                                       .multiplicity = multiplicity,
-                                       .side = side};
-        assert_ok(algsurf_intersect_packet(s, NULL, &rays, NULL, &to));
         for (int i = 0; i < RAYS; i++) {
-            const algsurf_ray ray = {{origin[0][i], origin[1][i], origin[2][i]},
-                                     {direction[0][i], direction[1][i], direction[2][i]},
-                                     0,
-                                     INFINITY};
+            algsurf_ray ray = {{-3.1, 0.3, 0.6}, {1, 0, 0}, 0, INFINITY};
+            for (int k = 1; k < 3; k++) ray.direction[k] = 0.4 * random_unit(&seed);
+            packet_put(&p, i, &ray);
+        }
+        assert_ok(packet_ask(&p, 0, RAYS, s, NULL, NULL));
+        for (int i = 0; i < RAYS; i++) {
             algsurf_hit hit;
-            assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
-            if (states[i] != hit.state || t[i] != hit.t || t_lo[i] != hit.t_lo || t_hi[i] != hit.t_hi ||
-                multiplicity[i] != hit.multiplicity || side[i] != hit.side)
+            const char *wrong = packet_wrong(&p, i, s, NULL, NULL, &hit);
+            if (wrong)
                 fail_msg("%s: ray %d along (%a, %a, %a): %d at %a alone, %d at %a in the packet", equation[e],
-                         i, ray.direction[0], ray.direction[1], ray.direction[2], hit.state, hit.t, states[i],
-                         t[i]);
+                         i, p.direction[0][i], p.direction[1][i], p.direction[2][i], hit.state, hit.t,
+                         p.state[i], p.t[i]);
             hits += hit.state == ALGSURF_STATE_HIT, misses += hit.state == ALGSURF_STATE_MISS;
         }
-        algsurf_surface_free(s);
     }
     assert_true(hits > 20 && misses > 3);
 }
@@ -151,12 +127,10 @@ TEST(test_vanishing_direction) {
     algsurf_hit hits[4];
     int count = 0, beyond = 0;
     exact = surface_of("x^2 - y^2 + z^2 + x = 1");
-    assert_ok(algsurf_surface_with_error(exact, 1e-9, &known));
+    known = surface_with_error(exact, 1e-9);
     assert_ok(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count));
     assert_int_equal(count, 0); /* p is -5/4 */
     assert_ok(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count));
     for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_STATE_UNDECIDED && hits[i].t_hi > 1e4;
     assert_true(beyond);
-    algsurf_surface_free(known);
-    algsurf_surface_free(exact);
 }

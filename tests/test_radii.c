@@ -14,7 +14,7 @@
 #define KERNEL(name) name##_of_test
 #include "rays/packets.h"
 #include "rays/packet_template.h"
-#include "unit.h"
+#include "scenes.h"
 
 #define SEED 20261122u
 enum { DEEP = 6, MOST = ALGSURF_MAX_DEGREE };
@@ -172,9 +172,8 @@ static void to_natural(const algsurf_surface *s, algsurf_term *t) {
 
 static void judge_rays(int n, int kind, uint64_t *random) {
     static algsurf_term terms[400];
-    algsurf_surface *s = NULL;
     int count = make_terms(terms, n, kind, random);
-    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
+    algsurf_surface *s = surface_of_terms(terms, (size_t)count);
     to_natural(s, terms);
     exact_form f[LANES];
     lanes b[MOST + 1], e[MOST + 1];
@@ -199,7 +198,6 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     for (int l = 0; l < LANES; l++) judge(&f[l], b, e, l, 0, "rays");
     judge_cuts(f, b, e, 1, random, "cells of rays");
     for (int l = 0; l < LANES; l++) form_clear(&f[l]);
-    algsurf_surface_free(s);
 }
 
 TEST(test_rays) {

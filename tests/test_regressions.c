@@ -87,7 +87,6 @@ TEST(daz_intersect) {
     algsurf_status e = algsurf_expand_power(c.surface, &c.ray, p, NULL);
     environment_set(0);
     assert_true(s == ALGSURF_OK && e == ALGSURF_OK);
-    algsurf_surface_free(c.surface);
 }
 /* Brackets had infinite ends. */
 TEST(infinite_bracket) {
@@ -120,7 +119,6 @@ TEST(expand_underflow) {
     exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
     for (int k = 0; k < 3; k++) exact_line_coefficient(q, &line, k), assert_true(exact_within(p[k], q, r[k]));
     exact_line_clear(&line), mpq_clear(q);
-    algsurf_surface_free(c.surface);
 }
 /* The tolerance was taken for the wrong unit far out. */
 TEST(tolerance) {
@@ -133,7 +131,6 @@ TEST(tolerance) {
         intersect_ask(&c, NULL, &o, &hits);
         if (!(fabs(hits.first.t - 31622.776601683792) < 2e-3)) fail_msg("method %d: t = %g", m, hits.first.t);
     }
-    algsurf_surface_free(c.surface);
 }
 static void drop(const char *equation, algsurf_ray ray, int count) {
     intersect_equation(&c, equation);
@@ -141,7 +138,6 @@ static void drop(const char *equation, algsurf_ray ray, int count) {
     intersect_judge(&c, NULL, &hits);
     if (hits.count != count || (count && hits.all[count - 1].state != ALGSURF_STATE_HIT))
         intersect_fail("degree drop", &c, &hits);
-    algsurf_surface_free(c.surface);
 }
 /* A vanishing leading coefficient left infinite rays undecided. */
 TEST(degree_drop) {
@@ -158,12 +154,10 @@ TEST(single_point) {
     c.ray = (algsurf_ray){{0.3, 0.7, -1.5}, {0.1, 0.2, 1}, 0, 0};
     intersect_ask(&c, NULL, NULL, &hits);
     assert_int_equal(hits.first.state, ALGSURF_STATE_MISS);
-    algsurf_surface_free(c.surface);
     intersect_equation(&c, "(x + y + z - 1)^20");
     c.ray = (algsurf_ray){{0.3, 0.7, 0.5}, {0.1, 0.2, 1}, 0, 0};
     intersect_ask(&c, NULL, NULL, &hits);
     assert_int_equal(hits.first.state, ALGSURF_STATE_MISS);
-    algsurf_surface_free(c.surface);
 }
 /* A hit beyond the range of double had t = inf. */
 TEST(t_infinite) {
@@ -171,7 +165,6 @@ TEST(t_infinite) {
     c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 1e-320}, -INFINITY, INFINITY};
     intersect_ask(&c, NULL, NULL, &hits);
     assert_true(hits.first.state != ALGSURF_STATE_HIT || isfinite(hits.first.t));
-    algsurf_surface_free(c.surface);
 }
 /* A ray in the surface was a hit at either end, with nothing in between, where the degree dropped to 1. */
 TEST(zeros_at_both_ends) {
@@ -179,7 +172,6 @@ TEST(zeros_at_both_ends) {
     c.ray = (algsurf_ray){{2, 1, 1.75}, {2, 1, 3}, 0, 20};
     intersect_judge(&c, NULL, &hits);
     assert_true(hits.count == 1 && hits.first.t == 0 && hits.first.multiplicity == 0);
-    algsurf_surface_free(c.surface);
 }
 /* Sums of the ends of a chord overflowed, and t was far from its root. */
 TEST(near_the_largest_double) {
@@ -191,7 +183,6 @@ TEST(near_the_largest_double) {
     assert_int_equal(hits.first.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hits.first.t / 0x1.8p1022 - 1) < 1e-15 && hits.count == 1);
     assert_true(hits.first.t_hi - hits.first.t_lo < 0x1p975);
-    algsurf_surface_free(c.surface);
 }
 /* Another root just behind the end of the chord was told as the first, 20 units after it. */
 TEST(first_root_taken_for_the_end) {
@@ -205,5 +196,4 @@ TEST(first_root_taken_for_the_end) {
     intersect_ask(&c, &box, NULL, &hits);
     assert_int_equal(hits.first.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
-    algsurf_surface_free(c.surface);
 }

@@ -101,17 +101,13 @@ TEST(pixel_by_pixel) {
         assert_true(p->stats.undecided < p->stats.rays / 50);
         assert_in_range(count * 100 / p->stats.rays, 15, 70); /* per cent of the picture is surface */
         assert_true(p->stats.solve_s > 0 && p->stats.shade_s > 0 && p->stats.total_s > 0);
-        free(p);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Haze grows from the near to the far end of the ball about the extent: a plane across the view at the
  * place `at` in a ball of that radius, seen from near or far. */
 static void check_depth(const algsurf_extent *extent, double radius, double at, double eye_y) {
     algsurf_term plane[2] = {{0, 1, 0, 1}, {0, 0, 0, -at}};
-    algsurf_surface *surface;
     algsurf_scene *scene;
     algsurf_camera camera = camera_at(0, eye_y, 0, 0.1 / fabs(eye_y));
     uint8_t pixel[3];
@@ -125,7 +121,7 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
                                        .bounded = extent->kind != ALGSURF_EXTENT_ALL};
     double colour[3];
     unsigned char expected[3];
-    assert_ok(algsurf_surface_from_terms(plane, 2, &surface));
+    algsurf_surface *surface = surface_of_terms(plane, 2);
     scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, 1);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     assert_ok(algsurf_scene_set_material(scene, &plain));
@@ -134,7 +130,6 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
     reference_preview(&lighting, place, gradient, view, colour);
     assert_ok(algsurf_srgb_encode(colour, expected));
     assert_memory_equal(pixel, expected, 3);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 TEST(preview_depth) {
@@ -307,8 +302,6 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
     }
     if (otherwise > 4) fail_msg("%d bytes otherwise", otherwise);
     assert_true(p->stats.shadow_rays <= found->most_rays);
-    free(p);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* A ball of radius 0.8 about (0,0,0.5) above the plane z = -1. */
@@ -394,7 +387,6 @@ TEST(spread_evenly) {
     }
     assert_true(between > 40 && off < 0.03 * between && fabs(sum) < 0.015 * between);
     assert_true(alike < between / 3);
-    algsurf_surface_free(surface);
 }
 
 /* Light from all around: all of it in the middle of a plane, half of it in the edge between two planes. */
@@ -454,7 +446,6 @@ TEST(lighting_of_scenes) {
     assert_int_equal(algsurf_scene_get_lighting(scene, lights, NULL), ALGSURF_E_ARGUMENT);
     l.size--;
     assert_int_equal(algsurf_scene_get_lighting(scene, lights, &l), ALGSURF_E_SIZE);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Every ray touches the double plane y^2 = 0: a hit, or, where doubles are all there is, undecided and drawn.
@@ -476,10 +467,7 @@ static void double_plane(int tier) {
             assert_true(open > 0 || fabs(p->hits[k] - 6 / ray.direction[1]) < 1e-12);
             assert_true(p->bytes[k / W * STRIDE + k % W * 3 + 2] < 250); /* the background is white */
         }
-        free(p);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 TEST(touching_is_drawn) {
@@ -495,7 +483,7 @@ TEST(far_eye) {
     double distance = 3.2e6, scale = distance / sqrt(90), differ = 0;
     algsurf_camera parallel,
         far = camera_at(7 * scale, 4 * scale, 5 * scale, 360 / acos(-1) * atan(3 / distance));
-    assert_ok(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel));
+    parallel = parallel_of(eye, origin, z_up, 6);
     assert_ok(algsurf_scene_set_camera(scene, &far));
     picture *a = drawn(scene, 1);
     assert_ok(algsurf_scene_set_camera(scene, &parallel));
@@ -505,15 +493,12 @@ TEST(far_eye) {
             differ += abs(a->bytes[y * STRIDE + i] - b->bytes[y * STRIDE + i]) > 1;
     assert_true(a->stats.hits > W * H / 4);
     assert_true(differ < 0.01 * 3 * W * H);
-    free(a), free(b);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Defaults are usable as they are; removing the lights leaves light from all around. */
 TEST(defaults) {
     algsurf_surface *surface = surface_of("x^2+y^2+z^2-1");
-    algsurf_scene *scene;
-    assert_ok(algsurf_scene_create(surface, &scene));
+    algsurf_scene *scene = scene_of(surface, NULL, NULL, NULL);
     picture *p = drawn(scene, 0);
     const uint8_t *centre = p->bytes + H / 2 * STRIDE + W / 2 * 3;
     assert_true(p->bytes[0] == 255 && p->bytes[1] == 255 && p->bytes[2] == 255 && p->hits[0] == INFINITY);
@@ -522,8 +507,6 @@ TEST(defaults) {
     assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     picture *dark = drawn(scene, 0);
     assert_in_range(dark->bytes[H / 2 * STRIDE + W / 2 * 3 + 2], 100, 190);
-    free(p), free(dark);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
     algsurf_scene_free(NULL);
 }
 
@@ -612,13 +595,10 @@ TEST(bad_scene) {
 #undef REFUSED
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */
     assert_same_picture(before, after);
-    free(after);
     assert_ok(algsurf_scene_set_intersect_options(scene, NULL));
     assert_ok(algsurf_scene_set_extent(scene, NULL));
     after = drawn(scene, 1); /* the torus lies in the ball: all of space shows the same hits */
     assert_true(after->stats.hits == before->stats.hits);
-    free(before), free(after);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Across a steep ramp numbers of the row tell little of where its root is: t is that of the pixel's own ray.
@@ -635,12 +615,10 @@ TEST(steep_ramps) {
                                            .half_height = pow(10, -zoom),
                                            .kind = ALGSURF_CAMERA_ORTHOGRAPHIC};
             const algsurf_extent unit_ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1}};
-            algsurf_surface *surface = NULL;
-            algsurf_scene *scene = NULL;
             double t[SIDE * SIDE];
             unsigned char states[SIDE * SIDE];
-            assert_ok(algsurf_surface_from_terms(terms, 3, &surface));
-            assert_ok(algsurf_scene_create(surface, &scene));
+            algsurf_surface *surface = surface_of_terms(terms, 3);
+            algsurf_scene *scene = scene_of(surface, NULL, NULL, NULL);
             assert_ok(algsurf_scene_set_extent(scene, &unit_ball));
             assert_ok(algsurf_scene_set_camera(scene, &camera));
             const algsurf_render_options options = {.size = sizeof options, .width = SIDE, .height = SIDE};
@@ -657,7 +635,5 @@ TEST(steep_ramps) {
                     fail_msg("10^%d z^2, half height 10^-%d, pixel %d: t %a, by itself %a", power, zoom, i,
                              t[i], hit.t);
             }
-            algsurf_scene_free(scene);
-            algsurf_surface_free(surface);
         }
 }

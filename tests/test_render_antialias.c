@@ -141,14 +141,10 @@ TEST(one_of_two) {
                 set(scene, n, thresholds[k]);
                 picture *p = drawn(scene, 1);
                 check(way, one, all, samples, p, n, thresholds[k]);
-                free(p);
             }
-            free(all), free(samples);
+            free(samples);
         }
-        free(one);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 static void assert_same_counts(const algsurf_render_stats *a, const algsurf_render_stats *b) {
@@ -169,12 +165,8 @@ TEST(same_bytes) {
                 k < 4 ? drawn(scene, threads[k]) : sliced(scene, (const int[]){0, 1, 9, 12, 13, H});
             assert_same_picture(one, other);
             assert_same_counts(&one->stats, &other->stats);
-            free(other);
         }
-        free(one);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Threshold 0 is all pixels, 1 none, and one sample is one sample. */
@@ -187,19 +179,14 @@ TEST(ends) {
         p = drawn(scene, 2);
         assert_same_picture(one, p);
         assert_same_counts(&one->stats, &p->stats);
-        free(p);
         set(scene, 3, 1);
         p = drawn(scene, 2);
         assert_same_picture(one, p);
         assert_true(p->stats.rays == W * H && p->stats.hits == one->stats.hits);
-        free(p), free(one);
         set(scene, 2, 0);
         p = drawn(scene, 2);
         assert_true(p->stats.rays == 4 * W * H);
-        free(p);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Pictures of one column, one row, one pixel. */
@@ -228,7 +215,6 @@ TEST(thin_pictures) {
         assert_true(w * h == 1 ? chosen == 0 : s < 3 || chosen > 0);
         for (int k = 0; k < 3; k++) free(bytes[k]);
     }
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* No more rays and hits than ray by ray, where nothing is proved of pixels; not many fewer.  Also from
@@ -243,15 +229,12 @@ TEST(counts_as_by_rays) {
             assert_ok(algsurf_scene_set_camera(scene, &cameras[k]));
             set(scene, 4, 0.1);
             p[singly] = drawn(scene, 1);
-            algsurf_scene_free(scene);
         }
         assert_true(p[0]->stats.rays <= p[1]->stats.rays && p[0]->stats.hits <= p[1]->stats.hits);
         assert_true(p[0]->stats.rays > p[1]->stats.rays / 2);
         assert_true(p[1]->stats.single_rays == p[1]->stats.rays);
         assert_true(k == 0 ? p[0]->stats.single_rays < W * H / 50 : p[0]->stats.single_rays > W * H / 2);
-        free(p[0]), free(p[1]);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Alpha counts where it is not asked for; and nothing else here. */
@@ -272,7 +255,6 @@ TEST(same_choice) {
         rays[k] = stats.rays;
     }
     assert_true(rays[0] > W * H && rays[1] == rays[0] && rays[2] == rays[0]);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* ---- proofs ---- */
@@ -356,7 +338,6 @@ static int attack_scene(const attack *a) {
         check_proof(surface, &extent, a, &camera, x, y);
         proved++;
     }
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
     printf("%d pixels with one sample by proof\n", proved);
     return proved;
 }
@@ -403,8 +384,6 @@ TEST(cancel) {
             assert_true(threads == 1 ? done == rows : done >= rows);
             assert_true(p.stats.rays >= (uint64_t)(done * W) && p.stats.rays <= whole->stats.rays);
         }
-    free(whole);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 TEST(bad_thresholds) {
@@ -419,6 +398,4 @@ TEST(bad_thresholds) {
                          isfinite(bad[i]) ? ALGSURF_E_ARGUMENT : ALGSURF_E_NOT_FINITE);
     picture *after = drawn(scene, 1);
     assert_same_picture(before, after);
-    free(before), free(after);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }

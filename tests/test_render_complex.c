@@ -29,12 +29,10 @@ static algsurf_complex_space space_of(double delta, const double *imaginary, siz
 /* A named surface as the catalogue frames it. */
 static algsurf_scene *named(const char *name, algsurf_surface **surface) {
     const catalogue_entry *entry = catalogue_find(name);
-    algsurf_scene *scene = NULL;
-    algsurf_camera camera;
     *surface = surface_of(entry->equation);
-    assert_ok(algsurf_scene_create(*surface, &scene));
+    algsurf_scene *scene = scene_of(*surface, NULL, NULL, NULL);
     assert_ok(algsurf_scene_set_extent(scene, &entry->extent));
-    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     return scene;
 }
@@ -44,11 +42,6 @@ static algsurf_scene *complex_scene(const char *name, const algsurf_complex_spac
     algsurf_scene *scene = named(name, surface);
     assert_ok(algsurf_scene_set_complex_space(scene, space));
     return scene;
-}
-
-static void release(algsurf_scene *scene, algsurf_surface *surface) {
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 static picture *drawn_with(algsurf_scene *scene, algsurf_coherence coherence, int threads) {
@@ -81,9 +74,8 @@ TEST(pixel_by_pixel) {
     const catalogue_entry *entry = catalogue_find("tangle");
     algsurf_surface *surface;
     algsurf_scene *scene = complex_scene("tangle", &space, &surface);
-    algsurf_camera camera;
     uint64_t hits = 0;
-    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     assert_ok(algsurf_scene_set_lights(scene, &light, 1));
     assert_ok(algsurf_scene_set_material(scene, &plain));
     assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL));
@@ -109,15 +101,12 @@ TEST(pixel_by_pixel) {
     }
     assert_true(p->stats.hits == hits && p->stats.rays == W * H && p->stats.shadow_rays == 0);
     assert_in_range(hits, W * H / 5, W * H * 9 / 10);
-    free(p);
-    release(scene, surface);
 }
 
 static void assert_same_states(const catalogue_entry *entry, const algsurf_surface *surface,
                                const algsurf_complex_space *space, const picture *p) {
-    algsurf_camera camera;
     uint64_t undecided = 0;
-    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     for (int k = 0; k < W * H; k++) {
         algsurf_ray ray;
         algsurf_hit hit;
@@ -161,18 +150,14 @@ TEST(same_bytes) {
                 assert_same_picture(one, other);
                 assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits &&
                             other->stats.undecided == one->stats.undecided);
-                free(other);
             }
             other = sliced(scene, cuts);
             assert_same_picture(one, other);
-            free(other);
         }
         fesetround(FE_DOWNWARD);
         picture *other = drawn(scene, 2);
         fesetround(FE_TONEAREST);
         assert_same_picture(one, other);
-        free(other), free(one);
-        release(scene, surface);
     }
 }
 
@@ -191,12 +176,9 @@ TEST(iterations_saved) {
         assert_true(warm->stats.iterations == again->stats.iterations);
         picture *slices = sliced(scene, cuts);
         assert_true(warm->stats.iterations == slices->stats.iterations);
-        free(slices);
         assert_ok(algsurf_scene_set_complex_space(scene, NULL));
-        free(again), again = drawn(scene, 1);
+        again = drawn(scene, 1);
         assert_true(again->stats.iterations == 0);
-        free(cold), free(warm), free(again);
-        release(scene, surface);
     }
 }
 
@@ -227,12 +209,9 @@ TEST(states_of_single_rays) {
                 assert_same_picture(p, other);
                 assert_true(other->stats.single_rays == p->stats.single_rays &&
                             other->stats.iterations == p->stats.iterations);
-                free(other);
             }
             assert_same_states(entry, surface, &space, p);
             alone += p->stats.single_rays, rays += p->stats.rays;
-            free(p);
-            release(scene, surface);
         }
     assert_true(alone * 500 < rays);
 }
@@ -257,16 +236,13 @@ TEST(real_space) {
         }
         assert_true(differ <= real->stats.undecided + complex->stats.undecided);
         assert_true(complex->stats.undecided <= W * H / 200);
-        free(real), free(complex);
-        release(scene, surface);
     }
 }
 
 static algsurf_scene *from_above(const algsurf_surface *surface, double height) {
     const double eye[3] = {0, 0, height}, up[3] = {0, 1, 0};
-    algsurf_camera camera;
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
-    assert_ok(algsurf_camera_orthographic(eye, origin, up, 2, &camera));
+    algsurf_camera camera = parallel_of(eye, origin, up, 2);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     return scene;
 }
@@ -284,16 +260,13 @@ TEST(border_is_undecided) {
     assert_true(fabs(cold->hits[0] - sqrt(17)) < 1e-12);
     assert_true(cold->stats.single_rays == W * H && warm->stats.single_rays == W * H);
     assert_same_picture(cold, warm);
-    free(cold), free(warm);
-    release(scene, surface);
 }
 
 /* (z+1)^3 = x - c, drawn warm and cold; returns how many rays of the warm picture went alone. */
 static uint64_t cubic_column(double c) {
     const algsurf_term terms[5] = {{0, 0, 3, 1}, {0, 0, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1 + c}, {1, 0, 0, -1}};
     const algsurf_complex_space space = space_of(PI / 4, NULL, 0);
-    algsurf_surface *surface;
-    assert_ok(algsurf_surface_from_terms(terms, 5, &surface));
+    algsurf_surface *surface = surface_of_terms(terms, 5);
     algsurf_scene *scene = from_above(surface, 4);
     assert_ok(algsurf_scene_set_complex_space(scene, &space));
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
@@ -301,8 +274,6 @@ static uint64_t cubic_column(double c) {
     uint64_t alone = warm->stats.single_rays;
     assert_true(cold->stats.hits == W * H);
     assert_same_picture(cold, warm);
-    free(cold), free(warm);
-    release(scene, surface);
     return alone;
 }
 
@@ -310,9 +281,8 @@ static uint64_t cubic_column(double c) {
  * lanes leave each of its pixels to the single ray. */
 TEST(cluster_is_left) {
     const double eye[3] = {0, 0, 4}, up[3] = {0, 1, 0};
-    algsurf_camera camera;
     algsurf_ray ray;
-    assert_ok(algsurf_camera_orthographic(eye, origin, up, 2, &camera));
+    algsurf_camera camera = parallel_of(eye, origin, up, 2);
     assert_ok(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray));
     uint64_t clustered = cubic_column(ray.origin[0] - 4e-15), apart = cubic_column(ray.origin[0] - 1e-3);
     assert_true(clustered >= H && apart == 0);
@@ -333,8 +303,6 @@ TEST(odd_surfaces) {
         assert_true(cold->stats.iterations == warm->stats.iterations); /* nothing to start from */
         assert_true(s == 0 ? cold->stats.hits + cold->stats.undecided == 0
                            : cold->stats.hits + cold->stats.undecided > W * H / 4);
-        free(cold), free(warm);
-        release(scene, surface);
     }
 }
 
@@ -379,11 +347,9 @@ TEST(setters) {
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */
     assert_same_picture(before, after);
     assert_true(after->stats.iterations == before->stats.iterations);
-    free(after);
     imaginary[0] = 7; /* it was copied */
     after = drawn(scene, 1);
     assert_same_picture(before, after);
-    free(after);
     imaginary[0] = 1;
     for (size_t count = 1; count <= ALGSURF_MAX_DEGREE + 1; count += count < 6 ? 1 : 59) { /* zeros behind */
         double *gone = malloc(count * sizeof *gone);
@@ -394,7 +360,6 @@ TEST(setters) {
         free(gone);
         after = drawn(scene, 1);
         assert_same_picture(before, after);
-        free(after);
     }
     bad = good;
     for (bad.size = 0; bad.size < sizeof bad; bad.size++) /* no release had a smaller one */
@@ -402,6 +367,4 @@ TEST(setters) {
     assert_ok(algsurf_scene_set_complex_space(scene, NULL));
     after = drawn(scene, 1);
     assert_same_picture(real, after);
-    free(after), free(before), free(real);
-    release(scene, surface);
 }

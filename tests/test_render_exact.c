@@ -109,7 +109,7 @@ static void scale_terms(algsurf_term *terms, int count, int length, int value) {
 }
 
 static void set_surface(view *v, const algsurf_term *terms, int count) {
-    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &v->surface));
+    v->surface = surface_of_terms(terms, (size_t)count);
     v->term_count = (int)algsurf_surface_term_count(v->surface);
     v->degree = algsurf_surface_degree(v->surface);
     v->terms = calloc((size_t)v->term_count, sizeof *v->terms);
@@ -119,7 +119,6 @@ static void set_surface(view *v, const algsurf_term *terms, int count) {
 
 static void release(view *v) {
     exact_form_clear(&v->form);
-    algsurf_surface_free(v->surface);
     free(v->terms);
 }
 
@@ -134,7 +133,6 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
         algsurf_surface *named = surface_of(entry->equation);
         n = entry->degree, count = (int)algsurf_surface_term_count(named);
         assert_ok(algsurf_surface_terms(named, terms));
-        algsurf_surface_free(named);
         (void)snprintf(v->name, sizeof v->name, "%s", entry->name);
     } else if (kind < NAMED + 2) {
         n = kind == NAMED ? 8 : 16;
@@ -286,7 +284,6 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
     assert_ok(algsurf_scene_set_antialias(scene, v->antialias));
     assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     assert_ok(algsurf_render(scene, &o, &planes, &out->stats));
-    algsurf_scene_free(scene);
 }
 
 static algsurf_ray ray_at(const view *v, double x, double y) {

@@ -68,7 +68,6 @@ static picture *draw(const algsurf_surface *surface, const view *v,
     assert_ok(algsurf_scene_set_camera(scene, &v->camera));
     assert_ok(algsurf_scene_set_intersect_options(scene, options));
     assert_ok(algsurf_render(scene, &how, &planes, &p->stats));
-    algsurf_scene_free(scene);
     return p;
 }
 
@@ -103,7 +102,6 @@ static void for_each_view(void (*check)(const algsurf_surface *surface, const vi
             view v = view_of(entry, i, &seed);
             check(surface, &v, data);
         }
-        algsurf_surface_free(surface);
     }
 }
 

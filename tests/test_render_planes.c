@@ -90,10 +90,7 @@ TEST(one_ray) {
             count[hit.state]++;
         }
         assert_true(count[ALGSURF_STATE_HIT] > W * H / 8 && count[ALGSURF_STATE_MISS] > W * H / 8);
-        free(p);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* 3 x 3 samples: those of the nearest.  Where two are as near as rounding, either may be it. */
@@ -116,10 +113,7 @@ TEST(nearest_sample) {
             mixed += misses > 0 && misses < 9, first += at == 0;
         }
         assert_true(mixed > 50 && first < W * H / 2);
-        free(p);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
@@ -151,10 +145,7 @@ TEST(undecided) {
                 assert_true(p->hits[k] == nearest.t); /* solved alone: the same bits */
                 for (int i = 0; i < 3; i++) assert_true(p->normals[3 * k + i] == (float)nearest.normal[i]);
             }
-            free(p);
-            algsurf_scene_free(scene);
         }
-    algsurf_surface_free(surface);
 }
 
 /* A wedge z = |x|, seen in parallel from above, its edge in the middle of a column of pixels: samples left
@@ -164,8 +155,7 @@ TEST(first_of_equals) {
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 4}};
     algsurf_surface *surface = surface_of("(z-x)(z+x)");
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
-    algsurf_camera camera;
-    assert_ok(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera));
+    algsurf_camera camera = parallel_of(eye, at, up, H * 0.125);
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     assert_ok(algsurf_scene_set_extent(scene, &box));
     picture *p = drawn(scene, 1);
@@ -178,8 +168,6 @@ TEST(first_of_equals) {
         seen++;
     }
     assert_true(seen > H / 2);
-    free(p);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 static void draw_pixels(const algsurf_scene *scene, int format, uint8_t *pixels) {
@@ -229,9 +217,7 @@ TEST(alpha) {
         assert_ok(algsurf_scene_set_background(scene, sky)); /* there is one again */
         draw_pixels(scene, ALGSURF_RGBA8, clear[0]);
         assert_memory_equal(clear, rgba, sizeof clear);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Each choice of planes gets the bytes of a picture with all of them, the others stay as they were; so do
@@ -280,13 +266,9 @@ TEST(any_planes) {
                 if (first) assert_same_picture(first, whole);
                 if (look == 2 && threshold) /* black on black: its outline is chosen by alpha */
                     assert_true(whole->stats.rays > W * H && whole->stats.rays < 9 * W * H);
-                algsurf_scene_free(scene);
-                if (first) free(whole);
                 if (!first) first = whole;
             }
-            free(first);
         }
-    algsurf_surface_free(surface);
 }
 
 /* One row may be as far from the next as any object goes, two only half as far.  Catches: a border one off,
@@ -309,7 +291,6 @@ TEST(far_strides) {
     planes.stride = (size_t)PTRDIFF_MAX;
     assert_ok(algsurf_render(scene, &o, &planes, NULL));
     assert_memory_equal(bytes, whole + WHERE * 3 * W, 3 * W);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Rows of any distance, and without a gap. */
@@ -332,5 +313,4 @@ TEST(strides) {
             for (size_t i = row; i < row + GAP; i++) assert_int_equal(there[i], SENTINEL);
         }
     }
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }

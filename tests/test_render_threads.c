@@ -28,21 +28,17 @@ TEST(same_bytes) {
         assert_in_range(other->stats.threads, 1, threads[k] < H ? threads[k] : H);
         assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits);
         assert_true(other->stats.shadow_rays == one->stats.shadow_rays);
-        free(other);
     }
     other = sliced(scene, (const int[]){0, 1, 9, 20, H});
     assert_same_picture(one, other);
     assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits);
     assert_true(other->stats.shadow_rays == one->stats.shadow_rays);
-    free(other);
     fesetround(FE_UPWARD);
     other = drawn(scene, 3);
     int mode = fegetround();
     fesetround(FE_TONEAREST);
     assert_int_equal(mode, FE_UPWARD);
     assert_same_picture(one, other);
-    free(one), free(other);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 typedef struct calls {
@@ -73,7 +69,6 @@ TEST(progress_calls) {
         assert_int_equal(c.last, H);
         if (threads == 1) assert_int_equal(c.count, H);
     }
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* A cancelled picture: each row is as it should be or untouched.  Rows take long enough here for the
@@ -102,8 +97,6 @@ TEST(cancel) {
         assert_true(threads == 1 ? done == 2 : done >= 1);
         assert_true(p.stats.rays >= (uint64_t)(done * W * 9) && p.stats.rays <= whole->stats.rays);
     }
-    free(whole);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, algsurf_status expected) {
@@ -136,7 +129,6 @@ TEST(bad_planes) {
     REFUSE(bad.format = ALGSURF_RGBA8 + 1);
 #undef REFUSE
     assert_memory_equal(&p, &before, sizeof p);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 TEST(bad_options) {
@@ -171,7 +163,6 @@ TEST(bad_options) {
     huge.kind = ALGSURF_CAMERA_ORTHOGRAPHIC, huge.half_height = 1.7e308;
     assert_ok(algsurf_scene_set_camera(scene, &huge));
     refuse(scene, &good, ALGSURF_E_NOT_FINITE);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Structs of newer callers. */
@@ -200,6 +191,4 @@ TEST(sized_structs) {
     assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_SIZE);
     planes.more = 0, newer.more = 1;
     assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_SIZE);
-    free(whole);
-    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }

@@ -126,7 +126,6 @@ static void compare_with_rays(view *v) {
     draw(v, scene, 0, ROWS, 1, &tiles);
     draw(v, other, 0, ROWS, 1, &rays);
     for (int i = 0; i < ROWS * WIDTH; i++) check_pixel(v, i, &tiles, &rays);
-    algsurf_scene_free(scene), algsurf_scene_free(other);
 }
 
 /* One sample, all pixels with several, edges only: by slices, threads and kernels. */
@@ -141,13 +140,11 @@ static void compare_with_others(view *v) {
         assert_memory_equal(&whole, &other, sizeof whole);
         draw(v, scene, 0, ROWS, 3, &other);
         assert_memory_equal(&whole, &other, sizeof whole);
-        algsurf_scene_free(scene);
         for (int i = 0; algsurf_kernel_name(i); i++) {
             const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
             scene = scene_with(v, &how, way ? 3 : 1, way == 2 ? 0.05 : 0);
             draw(v, scene, 0, ROWS, 1, &other);
             assert_memory_equal(&whole, &other, sizeof whole);
-            algsurf_scene_free(scene);
         }
     }
 }
@@ -162,7 +159,6 @@ static void for_each_view(void (*check)(view *v), int count) {
             set_view(&v);
             check(&v);
         }
-        algsurf_surface_free(v.surface);
     }
 }
 

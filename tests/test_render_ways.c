@@ -23,8 +23,7 @@ typedef struct drawn {
 static algsurf_camera camera_of(const algsurf_extent *extent) {
     const double eye[3] = {2.2 * extent->size[0], -3.3 * extent->size[0], 1.1 * extent->size[0]},
                  up[3] = {0, 0, 1};
-    algsurf_camera camera;
-    assert_ok(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera));
+    algsurf_camera camera = pinhole_of(eye, extent->centre, up, 32);
     return camera;
 }
 
@@ -68,8 +67,6 @@ static void for_each_scene(void (*check)(const algsurf_scene *scene, const algsu
         algsurf_surface *surface = surface_of(entry->equation);
         algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
         check(scene, surface, &entry->extent);
-        algsurf_scene_free(scene);
-        algsurf_surface_free(surface);
     }
 }
 
@@ -192,8 +189,6 @@ TEST(slices) {
         assert_ok(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0));
         check_threads(scene);
     }
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 /* The middle is one of 3 x 3 samples; chosen pixels get all of them. */
@@ -221,8 +216,6 @@ TEST(samples) {
     assert_true(raised > kept && kept > 0);
     assert_int_equal(all.stats.tiles, one.stats.tiles);
     assert_int_equal(all.stats.empty_rays, 9 * one.stats.empty_rays);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 /* ---- rays ---- */
@@ -265,9 +258,6 @@ TEST(exact) {
     draw(other, FIRST_ROW, END_ROW, 1, &band);
     assert_int_equal(band.stats.exact_rays, 0);
     assert_true(band.stats.single_rays > 1000);
-    algsurf_scene_free(other);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 /* Pictures that are not drawn by tiles: ray by ray, by rows, in complex space. */
@@ -285,13 +275,9 @@ TEST(without_tiles) {
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
-    algsurf_scene_free(scene);
     scene = scene_about(high, &decic->extent, NULL);
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
     assert_int_equal(d.stats.tiles + d.stats.empty_rays + d.stats.sheet_rays, 0);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(high);
-    algsurf_surface_free(surface);
 }

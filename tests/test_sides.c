@@ -86,32 +86,17 @@ static int is_decided(const algsurf_extent *extent, int side) {
 }
 
 /* Rays in company, for hits of that side, as each alone. */
-static void judge_company(const algsurf_extent *extent, const algsurf_ray *rays, int count, int side) {
-    enum { MOST = 64 };
+static void judge_company(packet_case *p, const algsurf_extent *extent, int count, int side) {
     const algsurf_intersect_options how = {.size = sizeof how, .side = side};
-    double o[3][MOST], d[3][MOST], t_min[MOST], t_max[MOST], t[MOST];
-    unsigned char state[MOST], occluded[MOST];
-    for (int i = 0; i < count; i++) {
-        for (int k = 0; k < 3; k++) o[k][i] = rays[i].origin[k], d[k][i] = rays[i].direction[k];
-        t_min[i] = rays[i].t_min, t_max[i] = rays[i].t_max;
-    }
-    const algsurf_ray_packet packet = {.size = sizeof packet,
-                                       .count = (size_t)count,
-                                       .origin = {o[0], o[1], o[2]},
-                                       .direction = {d[0], d[1], d[2]},
-                                       .t_min = t_min,
-                                       .t_max = t_max};
-    const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
-    assert_ok(algsurf_intersect_packet(c.surface, extent, &packet, &how, &hits));
-    assert_ok(algsurf_occluded_packet(c.surface, extent, &packet, &how, occluded));
+    assert_ok(packet_ask(p, 0, count, c.surface, extent, &how));
     for (int i = 0; i < count; i++) {
         algsurf_hit hit;
-        assert_ok(algsurf_intersect_first(c.surface, extent, &rays[i], &how, &hit));
-        if (hit.state == state[i] && hit.t == t[i] && occluded[i] == state[i]) continue;
-        exact_print_doubles("origin", rays[i].origin, 3);
-        exact_print_doubles("direction", rays[i].direction, 3);
+        const char *wrong = packet_wrong(p, i, c.surface, extent, &how, &hit);
+        if (!wrong && p->occluded[i] == p->state[i]) continue;
+        const algsurf_ray ray = packet_ray(p, i);
+        exact_print_doubles("origin", ray.origin, 3), exact_print_doubles("direction", ray.direction, 3);
         fail_msg("seed %llu: side %d: alone %a, in company %a, occluded %d", (unsigned long long)first_seed,
-                 side, hit.t, t[i], occluded[i]);
+                 side, hit.t, p->t[i], p->occluded[i]);
     }
 }
 
@@ -146,7 +131,6 @@ TEST(test_catalogue_bounces) {
         assert_non_null(entry);
         intersect_equation(&c, entry->equation);
         judge_bounces(&seed, 60 * rounds, i % 2 ? NULL : &ball, 0.9);
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -157,10 +141,9 @@ TEST(test_leave_thin_walls) {
         const double gap = ldexp(1, -k);
         const algsurf_term walls[] = {{2, 0, 0, 1}, {1, 0, 0, -2 - gap}, {0, 0, 0, 1 + gap}};
         const algsurf_ray ray = {{0, 0.25, 0.5}, {1, 0, 0}, 0, INFINITY};
-        algsurf_surface *s;
         algsurf_hit hit;
         double start[3] = {7, 7, 7};
-        assert_ok(algsurf_surface_from_terms(walls, 3, &s));
+        algsurf_surface *s = surface_of_terms(walls, 3);
         assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
         assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == 1);
         algsurf_status status = algsurf_hit_leave(s, &ray, &hit, -1, start);
@@ -169,7 +152,6 @@ TEST(test_leave_thin_walls) {
         found += status == ALGSURF_OK, hidden += status == ALGSURF_NOT_VERIFIED;
         assert_ok(algsurf_hit_leave(s, &ray, &hit, 1, start));
         assert_true(start[0] < 1 || start[0] > 1 + gap);
-        algsurf_surface_free(s);
     }
     assert_true(found >= 18 && found + hidden == 37);
 }
@@ -182,7 +164,7 @@ TEST(test_company) {
         assert_non_null(entry);
         intersect_equation(&c, entry->equation);
         for (int packet = 0; packet < 200 * rounds; packet++) {
-            algsurf_ray rays[64];
+            static packet_case p;
             algsurf_hit hit;
             int count = 0;
             for (int tries = 0; tries < 1000 && count < 64; tries++) {
@@ -190,11 +172,10 @@ TEST(test_company) {
                 bounce(&seed, &hit, tries % 3);
                 if (tries % 4 == 0) c.ray.t_max = random_unit(&seed);
                 if (tries % 5 == 0) c.ray.t_min = 0.25 * random_unit(&seed);
-                rays[count++] = c.ray;
+                packet_put(&p, count++, &c.ray);
             }
-            for (int side = -1; side <= 1; side++) judge_company(&entry->extent, rays, count, side);
+            for (int side = -1; side <= 1; side++) judge_company(&p, &entry->extent, count, side);
         }
-        algsurf_surface_free(c.surface);
     }
 }
 

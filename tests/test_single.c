@@ -96,6 +96,5 @@ TEST(test_rays) {
             judge_ray(entry, &job, &decided);
         }
         assert_true(decided > RAYS / 2);
-        algsurf_surface_free(s);
     }
 }

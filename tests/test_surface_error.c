@@ -43,8 +43,7 @@ static void make_member(uint64_t *seed, double error) {
 }
 
 static algsurf_surface *with_error(double error) {
-    algsurf_surface *s = NULL;
-    assert_ok(algsurf_surface_with_error(c.surface, error, &s));
+    algsurf_surface *s = surface_with_error(c.surface, error);
     return s;
 }
 
@@ -59,18 +58,11 @@ static void random_ray(uint64_t *seed) {
 /* Certain answers of the surface with an error, single rays and a packet of one, held against its members. */
 static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *certain) {
     const algsurf_ray *ray = &c.ray;
-    unsigned char state;
+    static packet_case one;
     for (int t = 0; t < 2; t++) {
         const algsurf_intersect_options o = {.size = sizeof o, .tier = tiers[t]};
-        const algsurf_ray_packet one = {
-            .size = sizeof one,
-            .count = 1,
-            .t_min = &ray->t_min,
-            .t_max = &ray->t_max,
-            .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
-            .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
-        const algsurf_hit_packet to = {.size = sizeof to, .state = &state};
-        assert_ok(algsurf_intersect_packet(s, NULL, &one, &o, &to));
+        packet_put(&one, 0, ray);
+        assert_ok(packet_ask(&one, 0, 1, s, NULL, &o));
         for (int m = 0; m < MEMBERS; m++) {
             make_member(seed, error);
             algsurf_surface *own = member.surface;
@@ -80,12 +72,11 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
             exact_sturm chain = exact_sturm_along(member.terms, member.count, member.degree, ray);
             const char *wrong = intersect_truth(&member, &chain, &answer);
             int roots = exact_count_roots(&chain, ray->t_min, ray->t_max);
-            if (!wrong && state == ALGSURF_STATE_MISS && roots > 0) wrong = "packet misses";
-            if (!wrong && state == ALGSURF_STATE_HIT && roots == 0) wrong = "packet hits nothing";
+            if (!wrong && one.state[0] == ALGSURF_STATE_MISS && roots > 0) wrong = "packet misses";
+            if (!wrong && one.state[0] == ALGSURF_STATE_HIT && roots == 0) wrong = "packet hits nothing";
             if (wrong) intersect_fail(wrong, &member, &answer);
             *certain += answer.first.state != ALGSURF_STATE_UNDECIDED;
             exact_sturm_clear(&chain);
-            algsurf_surface_free(own);
         }
     }
 }
@@ -102,9 +93,7 @@ TEST(rays) {
                 random_ray(&seed);
                 judge(s, &seed, errors[k], &certain);
             }
-            algsurf_surface_free(s);
         }
-        algsurf_surface_free(c.surface);
     }
     if (certain * 2 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
 }
@@ -124,9 +113,7 @@ TEST(high_powers) {
                 random_ray(&seed);
                 judge(s, &seed, errors[k], &certain);
             }
-            algsurf_surface_free(s);
         }
-        algsurf_surface_free(c.surface);
     }
     if (certain * 3 < judged * 2) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.95, 0, 0}};
@@ -141,8 +128,6 @@ TEST(high_powers) {
         double z = (i ? -1 : 1) * pow(0.3, 1.0 / 30), width = hits[i].t_hi - hits[i].t_lo;
         assert_true(hits[i].state == ALGSURF_STATE_HIT && width < 1e-14 && fabs(5 - hits[i].t - z) < 1e-14);
     }
-    algsurf_surface_free(s);
-    algsurf_surface_free(c.surface);
 }
 
 /* Roots far out, and far beyond the largest double: all of them count on a ray without an end. */
@@ -164,8 +149,6 @@ TEST(far_roots) {
         c.ray.t_max = isinf(c.ray.t_min) && random_int(&seed, 2) ? random_unit(&seed) : INFINITY;
         judge(s, &seed, error, &certain);
         judged += 2 * MEMBERS;
-        algsurf_surface_free(s);
-        algsurf_surface_free(c.surface);
     }
     if (certain * 4 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
     const algsurf_term line[] = {{0, 0, 0, 1}, {1, 0, 0, 0x1p-1030}};
@@ -175,8 +158,6 @@ TEST(far_roots) {
     algsurf_surface *s = with_error(0x1p-53);
     assert_ok(algsurf_intersect_first(s, NULL, &along, NULL, &hit));
     assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
-    algsurf_surface_free(s);
-    algsurf_surface_free(c.surface);
 }
 
 TEST(values) {
@@ -193,10 +174,7 @@ TEST(values) {
             int within = fabs(own - v) <= bound;
             for (int k = 0; k < 3; k++) within &= fabs(own_g[k] - g[k]) <= g_bound[k];
             if (!within) fail_msg("seed %u, %s: %a at %a %a %a", SEED, equations[e], v, x[0], x[1], x[2]);
-            algsurf_surface_free(member.surface);
         }
-        algsurf_surface_free(s);
-        algsurf_surface_free(c.surface);
     }
 }
 
@@ -210,17 +188,14 @@ static void draw(const algsurf_surface *s, double off, int tier, double *t, uint
     static uint8_t bytes[3 * SIDE * SIDE];
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = t};
     algsurf_render_stats stats = {.size = sizeof stats};
-    algsurf_camera camera;
-    algsurf_scene *scene = NULL;
-    assert_ok(algsurf_camera_pinhole(eye, at, up, 50, &camera));
-    assert_ok(algsurf_scene_create(s, &scene));
+    algsurf_camera camera = pinhole_of(eye, at, up, 50);
+    algsurf_scene *scene = scene_of(s, NULL, NULL, NULL);
     assert_ok(algsurf_scene_set_extent(scene, &ball));
     assert_ok(algsurf_scene_set_camera(scene, &camera));
     assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW));
     assert_ok(algsurf_scene_set_intersect_options(scene, &how));
     assert_ok(algsurf_render(scene, &o, &planes, &stats));
     *undecided = (uint64_t)stats.undecided;
-    algsurf_scene_free(scene);
 }
 
 /* A picture's undecided pixels are counted, not marked: members may differ from it in no more than those. */
@@ -240,17 +215,13 @@ TEST(pictures) {
             if (different > undecided || undecided > SIDE * SIDE / 2)
                 fail_msg("seed %u, %s: %d pixels differ, %d are undecided", SEED, equations[e],
                          (int)different, (int)undecided);
-            algsurf_surface_free(member.surface);
         }
-        algsurf_surface_free(s);
-        algsurf_surface_free(c.surface);
     }
 }
 
 static double rounding_of(const char *equation) {
     intersect_equation(&c, equation);
     double rounding = algsurf_surface_rounding(c.surface);
-    algsurf_surface_free(c.surface);
     return rounding;
 }
 
@@ -288,8 +259,6 @@ TEST(a_surface_with_error_is_the_same) {
     assert_int_equal(algsurf_surface_with_error(s, -1e-9, &none), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_surface_with_error(s, NAN, &none), ALGSURF_E_NOT_FINITE);
     assert_null(none);
-    algsurf_surface_free(s);
-    algsurf_surface_free(c.surface);
 }
 
 /* A point that is on the surface for some coefficients only. */
@@ -304,6 +273,4 @@ TEST(a_point) {
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
     assert_ok(algsurf_intersect_first(s, NULL, &beside, &o, &hit));
     assert_int_equal(hit.state, ALGSURF_STATE_MISS);
-    algsurf_surface_free(s);
-    algsurf_surface_free(c.surface);
 }

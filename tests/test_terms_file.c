@@ -150,6 +150,5 @@ TEST(test_catalogue) {
         algsurf_surface *surface = surface_of(entry->equation);
         assert_int_equal(algsurf_surface_degree(surface), entry->degree);
         assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
-        algsurf_surface_free(surface);
     }
 }

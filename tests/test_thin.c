@@ -142,9 +142,7 @@ TEST(points_are_one_dot) {
             if ((dots != 1 || near != 1) && !(random_salt && dots == near && dots <= 2))
                 fail_msg("%s, view %d: %d dots, %d near %a,%a", points[n].equation, view, dots, near, p.x,
                          p.y);
-            algsurf_scene_free(scene);
         }
-        algsurf_surface_free(surface);
     }
     assert_true(lost * 100 <= all);
 }
@@ -273,9 +271,7 @@ TEST(lines_are_a_pixel_wide) {
             if (!from_end && (int)first.stats.thin > length + 24 + length)
                 fail_msg("%s, view %d: %d thin, length %d", lines[n].equation, view, (int)first.stats.thin,
                          length);
-            algsurf_scene_free(scene);
         }
-        algsurf_surface_free(surface);
     }
     assert_true(gaps * 1000 <= columns_seen);
 }
@@ -303,9 +299,7 @@ TEST(undecided_places_hide_nothing) {
             assert_true(first.states[i] == ALGSURF_STATE_MISS || second.states[i] == ALGSURF_STATE_THIN);
             assert_true(second.states[i] == ALGSURF_STATE_MISS || fabs(second.t[i] - 9) < 0.3);
         }
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* A closed curve has no ends: each of its pixels has two neighbours, but for one or two where it turns.  Of
@@ -332,9 +326,7 @@ TEST(curves_have_no_gaps) {
             }
         assert_true(first.stats.thin > SIZE / 2);
         if (ends > (random_salt ? 4 : 2)) fail_msg("view %d: %d ends", view, ends);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* ---- what is not ---- */
@@ -375,9 +367,7 @@ TEST(others_have_nothing_thin) {
             assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, slow ? 60 : view % 2 ? 333 : 150, &first);
             if (first.stats.thin > 0) fail_msg("%s, view %d: %d", equation, view, (int)first.stats.thin);
-            algsurf_scene_free(scene);
         }
-        algsurf_surface_free(surface);
     }
 }
 
@@ -395,9 +385,7 @@ TEST(small_things_are_not_thin) {
         assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, 300, &first);
         if (first.stats.thin > 0) fail_msg("view %d: %d", view, (int)first.stats.thin);
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* Where nothing is searched. */
@@ -423,8 +411,6 @@ TEST(out_of_reach_is_as_before) {
         draw(scene, 64, &second);
         assert_true(second.stats.thin == 0);
         assert_same(&first, &second);
-        algsurf_scene_free(scene);
-        algsurf_surface_free(surface);
     }
 }
 
@@ -455,7 +441,6 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
         draw(scene, SIZE, &second);
         assert_same(&first, &second);
     }
-    algsurf_scene_free(scene);
 }
 
 TEST(nothing_changes_a_byte) {
@@ -463,13 +448,11 @@ TEST(nothing_changes_a_byte) {
     for (int n = 0; n < 3; n++) {
         const catalogue_entry *entry = catalogue_find(names[n]);
         algsurf_surface *surface = surface_of(entry->equation);
-        algsurf_camera camera;
-        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+        algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
         uint64_t least = n < 2; /* of points like those of Barth's sextic rays see enough */
         compare_ways(surface, &entry->extent, &camera, 1, 0, least);
         compare_ways(surface, &entry->extent, &camera, 3, 0, least);
         compare_ways(surface, &entry->extent, &camera, 3, 0.1, least);
-        algsurf_surface_free(surface);
     }
 }
 
@@ -492,10 +475,9 @@ TEST(samples_make_lines_smooth) {
     uint64_t seed = first_seed;
     algsurf_surface *surface = surface_of(l->equation);
     for (int view = 0; view < 2 * views; view++) {
-        algsurf_camera camera;
         const int n = sides[view % 3];
         const double slope = 0.9 * random_unit(&seed), eye[3] = {2 * slope, -7, 3};
-        assert_ok(algsurf_camera_pinhole(eye, (double[]){0, 1, 0.5}, (double[]){1, 0, slope}, 40, &camera));
+        algsurf_camera camera = pinhole_of(eye, (double[]){0, 1, 0.5}, (double[]){1, 0, slope}, 40);
         algsurf_scene *scene = scene_of(surface, &l->extent, &camera, NULL);
         assert_ok(algsurf_scene_set_thin(scene, red));
         assert_ok(algsurf_scene_set_background(scene, NULL));
@@ -517,9 +499,7 @@ TEST(samples_make_lines_smooth) {
             }
             assert_true(rows > SIZE / 4);
         }
-        algsurf_scene_free(scene);
     }
-    algsurf_surface_free(surface);
 }
 
 /* The light of what is thin: as a tube has it that lies along the line, from above and from below. */
@@ -561,8 +541,6 @@ TEST(lines_are_lit) {
         brightness[i] = pixel[0];
     }
     assert_true(brightness[0] > brightness[1] + 10 && brightness[1] > brightness[2] + 10);
-    algsurf_scene_free(scene);
-    algsurf_surface_free(surface);
 }
 
 int main(int argc, char **argv) {

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "base/eft.h"
+#include "packet_case.h"
 #include "truth_corpus.h"
 
 enum { ID, KIND, NOTE, SURFACE, RAY, N_ROOTS = 12, KABS = 21, ACOND, RAY_COLUMNS = 27 };
@@ -198,26 +199,16 @@ static void judge_occluded(const algsurf_surface *s, const truth *r) {
 
 /* Packets of one ray: their answers do not depend on others. */
 static void judge_packets(const algsurf_surface *s, const truth *r) {
-    const double *o = r->ray.origin, *d = r->ray.direction;
-    const algsurf_ray_packet ray = {.size = sizeof ray,
-                                    .count = 1,
-                                    .origin = {o, o + 1, o + 2},
-                                    .direction = {d, d + 1, d + 2},
-                                    .t_min = &r->ray.t_min,
-                                    .t_max = &r->ray.t_max};
-    algsurf_hit hit;
-    unsigned char state, occluded;
-    algsurf_hit_packet to = {.size = sizeof to, .state = &state, .t = &hit.t};
-    to.t_lo = &hit.t_lo, to.t_hi = &hit.t_hi, to.multiplicity = &hit.multiplicity;
-    if (algsurf_intersect_packet(s, NULL, &ray, NULL, &to) != ALGSURF_OK ||
-        algsurf_occluded_packet(s, NULL, &ray, NULL, &occluded) != ALGSURF_OK) {
+    static packet_case p;
+    packet_put(&p, 0, &r->ray);
+    if (packet_ask(&p, 0, 1, s, NULL, NULL) != ALGSURF_OK) {
         wrong(FIRST_PACKET, r, "refused", NULL);
         return;
     }
-    hit.state = state;
+    algsurf_hit hit = packet_hit(&p, 0);
     hit.reason = ALGSURF_UNDECIDED_MULTIPLE; /* packets do not tell */
     judge_first_hit(FIRST_PACKET, r, &hit);
-    judge_whether(OCCLUDED_PACKET, r, occluded);
+    judge_whether(OCCLUDED_PACKET, r, p.occluded[0]);
 }
 
 static double number_or(const char *text, double otherwise) {

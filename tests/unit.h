@@ -44,6 +44,10 @@ static inline double unit_seconds(void) { return (double)clock() / CLOCKS_PER_SE
 void unit_add(const char *name, CMUnitTestFunction test, int line);
 int unit_run(const char *group);
 
+/* What is made for a test is released when the test ends, the last first; returns what was made. */
+void *unit_keep(void *made, void (*release)(void *made));
+void unit_release(void);
+
 /* A test; it enters the list before main begins. */
 #define TEST(name)                                                                                           \
     static void name(void **);                                                                               \

@@ -12,99 +12,47 @@ enum { MOST_TERMS = 24, TOP = 8, MOST_DEGREE = 12, MOST_BITS = 9000, LANES = 5 }
 static intersect_case c;
 static intersect_answer answer;
 
-/* Answers side by side, and the rays they are about. */
-typedef struct packet {
-    double origin[3][LANES], direction[3][LANES], t_min[LANES], t_max[LANES];
-    unsigned char state[LANES], occluded[LANES];
-    double t[LANES], t_lo[LANES], t_hi[LANES], position[3][LANES], normal[3][LANES];
-    int multiplicity[LANES];
-    signed char side[LANES];
-} packet;
-
-static void put(packet *p, int i, const algsurf_ray *ray) {
-    for (int k = 0; k < 3; k++) p->origin[k][i] = ray->origin[k], p->direction[k][i] = ray->direction[k];
-    p->t_min[i] = ray->t_min, p->t_max[i] = ray->t_max;
-}
-
-static void ask(packet *p, size_t count, const algsurf_extent *extent, const char *kernel) {
+static void ask(packet_case *p, int count, const algsurf_extent *extent, const char *kernel) {
     const algsurf_intersect_options options = {.size = sizeof options, .kernel = kernel};
-    algsurf_ray_packet rays = {.size = sizeof rays, .count = count, .t_min = p->t_min, .t_max = p->t_max};
-    algsurf_hit_packet hits = {
-        .size = sizeof hits, .state = p->state, .t = p->t, .t_lo = p->t_lo, .t_hi = p->t_hi};
-    hits.multiplicity = p->multiplicity, hits.side = p->side;
-    for (int k = 0; k < 3; k++) {
-        rays.origin[k] = p->origin[k], rays.direction[k] = p->direction[k];
-        hits.position[k] = p->position[k], hits.normal[k] = p->normal[k];
-    }
-    fuzz_check(algsurf_intersect_packet(c.surface, extent, &rays, &options, &hits) == ALGSURF_OK);
-    fuzz_check(algsurf_occluded_packet(c.surface, extent, &rays, &options, p->occluded) == ALGSURF_OK);
-}
-
-static void check_bits(const packet *a, const packet *b, size_t i) {
-    fuzz_check(a->state[i] == b->state[i] && a->occluded[i] == b->occluded[i]);
-    fuzz_check(a->multiplicity[i] == b->multiplicity[i] && a->side[i] == b->side[i]);
-    fuzz_check(memcmp(&a->t[i], &b->t[i], sizeof a->t[i]) == 0);
-    fuzz_check(memcmp(&a->t_lo[i], &b->t_lo[i], sizeof a->t[i]) == 0);
-    fuzz_check(memcmp(&a->t_hi[i], &b->t_hi[i], sizeof a->t[i]) == 0);
-    for (int k = 0; k < 3; k++) {
-        fuzz_check(memcmp(&a->position[k][i], &b->position[k][i], sizeof a->t[i]) == 0);
-        fuzz_check(memcmp(&a->normal[k][i], &b->normal[k][i], sizeof a->t[i]) == 0);
-    }
+    fuzz_check(packet_ask(p, 0, count, c.surface, extent, &options) == ALGSURF_OK);
 }
 
 /* The ray, as first of a packet with its like: backwards, moved, cut, and along the axes. */
-static void ask_packets(packet *p, const algsurf_extent *extent) {
-    static packet other;
+static void ask_packets(packet_case *p, const algsurf_extent *extent) {
+    static packet_case other;
     algsurf_ray ray = c.ray;
-    put(p, 0, &c.ray);
+    packet_put(p, 0, &c.ray);
     for (int k = 0; k < 3; k++) ray.direction[k] = -ray.direction[k];
-    put(p, 1, &ray);
+    packet_put(p, 1, &ray);
     ray = c.ray, ray.origin[0] = ray.origin[0] / 2 + 0.125;
-    put(p, 2, &ray);
+    packet_put(p, 2, &ray);
     ray = c.ray, ray.t_max = ray.t_min;
-    put(p, 3, &ray);
-    put(p, 4, &(algsurf_ray){{0.25, 0.5, -3}, {0, 0, 1}, 0, INFINITY});
+    packet_put(p, 3, &ray);
+    packet_put(p, 4, &(algsurf_ray){{0.25, 0.5, -3}, {0, 0, 1}, 0, INFINITY});
     other = *p;
     ask(p, LANES, extent, NULL);
     ask(&other, 1, extent, NULL);
-    check_bits(p, &other, 0);
+    const algsurf_hit among = packet_hit(p, 0), alone = packet_hit(&other, 0);
+    fuzz_check(memcmp(&among, &alone, sizeof alone) == 0 && p->occluded[0] == other.occluded[0]);
     const char *kernel;
     for (int i = 0; (kernel = algsurf_kernel_name(i)); i++) {
         ask(&other, LANES, extent, kernel);
-        for (size_t lane = 0; lane < LANES; lane++) check_bits(p, &other, lane);
+        fuzz_check(memcmp(p, &other, sizeof other) == 0);
     }
 }
 
-static algsurf_ray ray_of(const packet *p, int i) {
-    algsurf_ray ray = {.t_min = p->t_min[i], .t_max = p->t_max[i]};
-    for (int k = 0; k < 3; k++) ray.origin[k] = p->origin[k][i], ray.direction[k] = p->direction[k][i];
-    return ray;
-}
-
-/* The single calls about lane i's ray. */
-static void ask_single(const packet *p, int i, const algsurf_extent *extent, int tier, algsurf_hit *hit,
-                       int *occluded) {
-    const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
-    algsurf_ray ray = ray_of(p, i);
-    fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &options, hit) == ALGSURF_OK);
-    fuzz_check(algsurf_occluded(c.surface, extent, &ray, &options, occluded) == ALGSURF_OK);
-}
-
-static void check_lanes(const packet *p, const algsurf_extent *extent) {
+static void check_lanes(const packet_case *p, const algsurf_extent *extent) {
+    const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
     for (int i = 0; i < LANES; i++) {
+        algsurf_ray ray = packet_ray(p, i);
         algsurf_hit hit;
         int occluded;
-        packet one = *p;
-        ask_single(p, i, extent, ALGSURF_TIER_CERTIFIED, &hit, &occluded);
-        one.state[i] = (unsigned char)hit.state, one.occluded[i] = (unsigned char)occluded;
-        one.multiplicity[i] = hit.multiplicity, one.side[i] = (signed char)hit.side;
-        one.t[i] = hit.t, one.t_lo[i] = hit.t_lo, one.t_hi[i] = hit.t_hi;
-        for (int k = 0; k < 3; k++) one.position[k][i] = hit.position[k], one.normal[k][i] = hit.normal[k];
-        check_bits(p, &one, (size_t)i);
-        fuzz_check(hit.state != ALGSURF_STATE_UNDECIDED && (int)occluded == hit.state);
-        ask_single(p, i, extent, ALGSURF_TIER_BOUNDED, &hit, &occluded);
+        fuzz_check(packet_wrong(p, i, c.surface, extent, NULL, &hit) == NULL);
+        fuzz_check(hit.state != ALGSURF_STATE_UNDECIDED && p->occluded[i] == hit.state);
+        fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &bounded, &hit) == ALGSURF_OK);
+        fuzz_check(algsurf_occluded(c.surface, extent, &ray, &bounded, &occluded) == ALGSURF_OK);
         fuzz_check(hit.state == ALGSURF_STATE_UNDECIDED || hit.state == p->state[i]);
-        fuzz_check(occluded == ALGSURF_STATE_UNDECIDED || (int)occluded == p->occluded[i]);
+        fuzz_check(occluded == ALGSURF_STATE_UNDECIDED || occluded == p->occluded[i]);
     }
 }
 
@@ -141,11 +89,11 @@ static int is_short(void) {
 }
 
 static void judge(const algsurf_extent *extent) {
-    static packet p;
+    static packet_case p;
     ask_packets(&p, extent);
     check_lanes(&p, extent);
     for (int i = 0; i < LANES; i++) {
-        c.ray = ray_of(&p, i);
+        c.ray = packet_ray(&p, i);
         if (is_short()) judge_exactly(extent);
     }
 }
@@ -178,6 +126,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (isnan(c.ray.t_min) || isnan(c.ray.t_max) || (d[0] == 0 && d[1] == 0 && d[2] == 0)) return 0;
     if (!read_surface(&in)) return 0;
     judge(extent.kind == ALGSURF_EXTENT_ALL ? NULL : &extent);
-    algsurf_surface_free(c.surface);
+    unit_release();
     return 0;
 }
