@@ -4,6 +4,8 @@
 #define ENVIRONMENTS_H
 #include <fenv.h>
 
+#include "unit.h"
+
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -85,6 +87,22 @@ static inline int environment_unset(int i) {
                environment_flushes(i >= 4);
     environment_set(0);
     return same;
+}
+
+/* What work writes has the same bits in every environment, which is there afterwards. */
+static inline void environments_agree(void (*work)(void *answers), size_t size) {
+    void *usual = calloc(1, size), *here = calloc(1, size);
+    assert_true(usual != NULL && here != NULL);
+    work(usual);
+    for (int i = 1; i < ENVIRONMENTS; i++) {
+        memset(here, 0, size);
+        environment_set(i);
+        work(here);
+        int kept = environment_unset(i);
+        assert_true(kept);
+        assert_memory_equal(here, usual, size);
+    }
+    free(usual), free(here);
 }
 
 #endif

@@ -138,12 +138,12 @@ static inline poly *mandelbrot(int k) {
     return p;
 }
 
-/* z^n - (a z - 1)^2: two real roots about 2 a^-(n/2+1) apart, at 1/a. */
-static inline poly *mignotte(int n, long a) {
+/* z^n - m (a z - 1)^2: two real roots at 1/a, for m = 1 about 2 a^-(n/2+1) apart. */
+static inline poly *mignotte(int n, long a, long m) {
     poly *p = make(n);
     mpz_set_ui(p->re[n], 1);
-    mpz_set_si(p->re[0], -1), mpz_set_si(p->re[1], 2 * a), mpz_set_si(p->re[2], a),
-        mpz_mul_si(p->re[2], p->re[2], -a);
+    mpz_set_si(p->re[0], -m), mpz_mul_si(p->re[1], p->re[0], -2 * a), mpz_set_si(p->re[2], -m * a);
+    mpz_mul_si(p->re[2], p->re[2], a);
     return p;
 }
 

@@ -1,21 +1,12 @@
 /* poly_corpus.c - the two tables into polynomials; the exact test for a root in a box. */
 #include "poly_corpus.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { ID, FAMILY, LABEL, FIELD, DEGREE = 5, DISTINCT, DISTINCT_REAL, COEFFS, POLY_COLUMNS };
 enum { ROOT_ID, MULT = 2, FLAGS, RE_HI = 6, RE_LO, IM_HI, IM_LO, KAPPA, ACOND, SEP, ROOT_COLUMNS };
 
-static _Noreturn void give_up(const char *what, const char *which) {
-    fprintf(stderr, "polynomial corpus: %s: %s\n", what, which);
-    exit(2);
-}
-
 static void *room_for(size_t count, size_t size) {
     void *p = calloc(count, size);
-    if (!p) give_up("no memory", "");
+    if (!p) truth_give_up("no memory", "");
     return p;
 }
 
@@ -24,10 +15,10 @@ static void read_coefficients(const char *text, int degree, algsurf_complex *c) 
     for (int k = 0; k <= degree; k++) {
         char *end;
         c[k].re = strtod(text, &end);
-        if (end == text || *end != ',') give_up("not a coefficient", text);
+        if (end == text || *end != ',') truth_give_up("not a coefficient", text);
         text = end + 1;
         c[k].im = strtod(text, &end);
-        if (end == text || *end != (k < degree ? ' ' : '\0')) give_up("not a coefficient", text);
+        if (end == text || *end != (k < degree ? ' ' : '\0')) truth_give_up("not a coefficient", text);
         text = end + 1;
     }
 }
@@ -46,11 +37,11 @@ static size_t read_roots(poly_corpus *corpus, poly_case *p, size_t row) {
     p->root = corpus->root + row;
     for (int i = 0; i < p->distinct; i++, row++) {
         if (row >= corpus->roots.rows || strcmp(truth_cell(&corpus->roots, row, ROOT_ID), p->id) != 0)
-            give_up("roots are missing", p->id);
+            truth_give_up("roots are missing", p->id);
         corpus->root[row] = read_root(&corpus->roots, row);
         sum += corpus->root[row].multiplicity;
     }
-    if (sum != p->degree) give_up("multiplicities do not add up", p->id);
+    if (sum != p->degree) truth_give_up("multiplicities do not add up", p->id);
     return row;
 }
 
@@ -79,7 +70,7 @@ poly_corpus poly_corpus_read(const char *folder) {
         row = read_roots(&corpus, p, row);
     }
     if (row != corpus.roots.rows)
-        give_up("roots without a polynomial", truth_cell(&corpus.roots, row, ROOT_ID));
+        truth_give_up("roots without a polynomial", truth_cell(&corpus.roots, row, ROOT_ID));
     return corpus;
 }
 

@@ -3,10 +3,8 @@
  * Roots are Gaussian integers, small enough that all coefficients are exact in double. */
 #ifndef SEED_CASE_H
 #define SEED_CASE_H
-#include <string.h>
-
 #include "algsurf/papers.h"
-#include "exact.h"
+#include "allroots_case.h"
 
 enum { SEED_DEGREE = 8 };
 
@@ -46,14 +44,10 @@ static inline seed_case seed_random(uint64_t *seed, int n, int distinct) {
     return c;
 }
 
-static inline int seed_in(algsurf_cinterval box, algsurf_complex z) {
-    return box.re.lo <= z.re && z.re <= box.re.hi && box.im.lo <= z.im && z.im <= box.im.hi;
-}
-
 /* How many roots, counted with multiplicity, are in the box. */
 static inline int seed_count(const seed_case *c, algsurf_cinterval box) {
     int count = 0;
-    for (int i = 0; i < c->n; i++) count += seed_in(box, c->root[i]);
+    for (int i = 0; i < c->n; i++) count += case_in(c->root[i], box);
     return count;
 }
 

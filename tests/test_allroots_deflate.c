@@ -15,7 +15,7 @@
 static int each_once(const seed_case *c, const algsurf_paper_zero *zeros) {
     for (int k = 0; k < c->n; k++) {
         int boxes = 0;
-        for (int i = 0; i < c->n; i++) boxes += seed_in(zeros[i].box, c->root[k]);
+        for (int i = 0; i < c->n; i++) boxes += case_in(c->root[k], zeros[i].box);
         if (boxes != 1) return 0;
     }
     return 1;
@@ -34,7 +34,7 @@ TEST(test_finds_all) {
         for (int i = 0; i < c.n; i++) {
             assert_true(!zeros[i].verified || seed_count(&c, zeros[i].box) == 1);
             assert_true(!zeros[i].verified || (zeros[i].unique && zeros[i].inflations >= 1));
-            assert_true(zeros[i].steps >= 2 && seed_in(zeros[i].box, zeros[i].root));
+            assert_true(zeros[i].steps >= 2 && case_in(zeros[i].root, zeros[i].box));
         }
         complete_ones += complete;
         if (complete && !each_once(&c, zeros)) {
@@ -191,8 +191,8 @@ TEST(test_highest_degree) {
     p[0].re = -1, p[n].re = 1;
     assert_ok(algsurf_paper_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL));
     assert_ok(algsurf_paper_inclusion(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL));
-    assert_true(unique && seed_in(Z, (algsurf_complex){1, 0}) && Z.re.hi - Z.re.lo < 1e-15);
-    for (int k = 0; k < n; k++) assert_true(seed_in(Q[k], (algsurf_complex){1, 0}));
+    assert_true(unique && case_in((algsurf_complex){1, 0}, Z) && Z.re.hi - Z.re.lo < 1e-15);
+    for (int k = 0; k < n; k++) assert_true(case_in((algsurf_complex){1, 0}, Q[k]));
 }
 
 typedef struct answers {

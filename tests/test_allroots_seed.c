@@ -227,10 +227,10 @@ TEST(test_inclusions_are_true) {
             seed_print("p", c.p, c.n + 1), seed_print("z", &z, 1), seed_print("q", q, c.n);
             fail_msg("round %d, seed %llu: %d roots in the box", round, (unsigned long long)SEED, held);
         }
-        for (int k = 0; done && unique && held == 1 && seed_in(Z, c.root[i]) && k < c.n; k++) {
+        for (int k = 0; done && unique && held == 1 && case_in(c.root[i], Z) && k < c.n; k++) {
             algsurf_complex exact[SEED_DEGREE + 1];
             (void)seed_product(c.root, c.n, i, 1, exact);
-            assert_true(seed_in(Q[k], exact[k]));
+            assert_true(case_in(exact[k], Q[k]));
         }
         verified += done;
         if (round % 4 != 0 && bits >= 30) tried++, good += done && unique;
@@ -261,11 +261,11 @@ TEST(test_radii) {
         if (!verify(&c, r, z, q, &Z, Q, &unique)) continue;
         verified++;
         (void)seed_product(c.root, c.n, i, 1, exact);
-        if (!seed_in(Z, c.root[i])) {
+        if (!case_in(c.root[i], Z)) {
             seed_print("p", c.p, c.n + 1), exact_print_doubles("r", r, c.n + 1);
             fail_msg("round %d, seed %llu: the root is lost", round, (unsigned long long)SEED);
         }
-        for (int k = 0; unique && k < c.n; k++) assert_true(seed_in(Q[k], exact[k]));
+        for (int k = 0; unique && k < c.n; k++) assert_true(case_in(exact[k], Q[k]));
     }
     assert_often(verified > 900);
 }

@@ -29,8 +29,8 @@
 
 enum { MOST = ALGSURF_MAX_BEAM_DEGREE, SIDE = MOST + 1, PIXELS = 64, PLACES = PIXELS / ALGSURF_I_LEAF };
 
-static long ray_count = 1200;
-static uint64_t first_seed = 20261123;
+ARGUMENT(1, long, ray_count, 1200)
+ARGUMENT(2, uint64_t, first_seed, 20261123)
 
 static double uniform(uint64_t *seed, double lo, double hi) {
     return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
@@ -497,10 +497,4 @@ TEST(kernels_find_the_same_tiles) {
         }
         algsurf_surface_free(t.surface);
     }
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) ray_count = atol(argv[1]);
-    if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    return unit_run("beam");
 }

@@ -8,7 +8,6 @@
  *   up accepted when parallel but for rounding                        bad_cameras
  *   orthographic direction fanned out                                 orthographic
  */
-#include <fenv.h>
 #include <limits.h>
 
 #include "algsurf/camera.h"
@@ -269,24 +268,4 @@ TEST(bad_rays) {
     refuse_ray(&c, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
     c = good, c.kind = ALGSURF_CAMERA_ORTHOGRAPHIC, c.half_height = 1e308;
     refuse_ray(&c, 10000, 1, 0, 0, ALGSURF_E_NOT_FINITE); /* reaches beyond all doubles */
-}
-
-TEST(rounding_modes) {
-    static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const double eye[3] = {1.1, 2.3, 3.7}, up[3] = {0.1, 0.2, 0.9};
-    algsurf_camera c[4];
-    algsurf_ray r[4];
-    memset(c, 0, sizeof c);
-    for (int m = 0; m < 4; m++) {
-        fesetround(modes[m]);
-        algsurf_status made = algsurf_camera_pinhole(eye, origin, up, 33.3, &c[m]);
-        algsurf_status shot = algsurf_camera_ray(&c[m], 640, 480, 12.3, 45.6, &r[m]);
-        int mode = fegetround();
-        fesetround(FE_TONEAREST);
-        assert_ok(made);
-        assert_ok(shot);
-        assert_int_equal(mode, modes[m]);
-        assert_memory_equal(&c[m], &c[0], offsetof(algsurf_camera, kind)); /* no padding */
-        assert_memory_equal(&r[m], &r[0], sizeof r[0]);
-    }
 }

@@ -28,8 +28,9 @@
 #include "beams/sight_template.h"
 #include "scenes.h"
 
-static long line_count = 20000, picture_count = 1500;
-static uint64_t first_seed = 20261125;
+ARGUMENT(1, long, line_count, 20000)
+ARGUMENT(2, long, picture_count, 1500)
+ARGUMENT(3, uint64_t, first_seed, 20261125)
 static long clear_count; /* rays that need no chord */
 
 static double uniform(uint64_t *seed, double lo, double hi) {
@@ -576,11 +577,4 @@ TEST(pictures_within_blur) {
     print_message("%ld pixels are clear of what is shown\n", clear_count);
     assert_true(2 * suited > picture_count);
     assert_true(clear_count > picture_count);
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) line_count = strtol(argv[1], NULL, 10);
-    if (argc > 2) picture_count = strtol(argv[2], NULL, 10);
-    if (argc > 3) first_seed = strtoull(argv[3], NULL, 10);
-    return unit_run("chords");
 }

@@ -8,6 +8,7 @@
  *
  * Breaks tried, each caught: the error of cut values left out; discs far too small; boxes that are points
  * about z - W; the wrong one of two conjugates taken for a root of p. */
+#include "allroots_case.h"
 #include "integer_polys.h"
 
 /* ---- the judge ---- */
@@ -58,10 +59,6 @@ static int has_root(const poly *p, const algsurf_complex_root *e) {
     return 0;
 }
 
-static int meet(const algsurf_cinterval *a, const algsurf_cinterval *b) {
-    return a->re.lo <= b->re.hi && b->re.lo <= a->re.hi && a->im.lo <= b->im.hi && b->im.lo <= a->im.hi;
-}
-
 static double ulps(algsurf_interval part, double size) {
     return (part.hi - part.lo) / (nextafter(size, INFINITY) - size);
 }
@@ -86,7 +83,7 @@ static void judge(const char *name, poly *p, const poly *const *f, const int *m,
         if (ulps(e[i].box.re, size) > 2 || ulps(e[i].box.im, size) > 2)
             fail_msg("%s: [%a, %a] + i [%a, %a] is wide", name, e[i].box.re.lo, e[i].box.re.hi,
                      e[i].box.im.lo, e[i].box.im.hi);
-        for (int j = 0; j < i; j++) assert_false(meet(&e[i].box, &e[j].box));
+        for (int j = 0; j < i; j++) assert_false(case_meet(e[i].box, e[j].box));
         int found = 0;
         for (int k = 0; k < FACTORS && f[k]; k++)
             if (m[k] == e[i].multiplicity && left[k] > 0 && has_root(f[k], e + i)) found++, left[k]--;
@@ -162,7 +159,7 @@ TEST(close_pairs) {
         for (long a = 3; a <= (1L << 26) + 1; a = a * 4096 + 1) {
             double gap = -(n / 2.0 + 1) * log2((double)a) + log2((double)a);
             if (gap < -51) continue; /* doubles do not tell them apart */
-            judge_one("Mignotte", mignotte(n, a), -1);
+            judge_one("Mignotte", mignotte(n, a, 1), -1);
         }
     for (int n = 20; n <= 200; n *= 10) { /* 1 + t^(n-2) (t + 20000)^2 */
         poly *p = make(n);

@@ -15,8 +15,8 @@
 
 #include "catalogue.h"
 
-static int rounds = 1;
-static uint64_t first_seed = 59;
+ARGUMENT(1, int, rounds, 1)
+ARGUMENT(2, uint64_t, first_seed, 59)
 
 static intersect_case c;
 static intersect_answer answer;
@@ -491,7 +491,7 @@ static int power_of_sphere(int power) {
                 terms[count++] = (algsurf_term){2 * i, 2 * j, 2 * k, left % 2 ? -a : a};
             }
     mpz_clears(ways, factor, NULL);
-    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &c.surface));
+    c.surface = surface_of_terms(terms, (size_t)count);
     return exact;
 }
 
@@ -566,10 +566,4 @@ TEST(test_limit_of_memory) {
     set_equation("(x^10 + y^10 + z^10 - 1)^2 (x + 99)");
     decide(NULL);
     end(1, 1, 0, 2, 0);
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) rounds = atoi(argv[1]);
-    if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    return unit_run("decided");
 }

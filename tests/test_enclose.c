@@ -11,8 +11,6 @@
  *   rounding to nearest of the extent's ends, of scaling     ends, diagonals
  *   cells as a middle and half a length                      ends
  */
-#include <fenv.h>
-
 #include "scenes.h"
 
 static const uint64_t seed = 20250923;
@@ -263,26 +261,6 @@ TEST(nothing) {
     }
     algsurf_surface *ball = surface_of("x^2 + y^2 + z^2 = 9");
     assert_int_equal(enclosed(ball, &extent, ALGSURF_PART_SINGULAR).empty, 1);
-}
-
-/* Every rounding mode of the caller gives the same box. */
-TEST(rounding_modes) {
-    static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {4, 0, 0}};
-    algsurf_surface *surface = surface_of("(x^2+y^2+z^2+3)^2 = 16 (x^2+y^2)");
-    box first = {.empty = -1};
-    for (int m = 0; m < 4; m++) {
-        box b;
-        memset(&b, 0, sizeof b);
-        fesetround(modes[m]);
-        algsurf_status status =
-            algsurf_surface_enclose(surface, &extent, ALGSURF_PART_ALL, 0.1, b.lo, b.hi, &b.empty);
-        fesetround(FE_TONEAREST);
-        assert_ok(status);
-        if (m == 0) memcpy(&first, &b, sizeof b);
-        assert_memory_equal(b.lo, first.lo, sizeof b.lo);
-        assert_memory_equal(b.hi, first.hi, sizeof b.hi);
-    }
 }
 
 TEST(bad_arguments) {

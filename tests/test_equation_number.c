@@ -2,8 +2,6 @@
  *
  * Each test says which breaks it catches.
  */
-#include <fenv.h>
-
 #include "equation_case.h"
 #include "exact.h"
 
@@ -83,19 +81,4 @@ TEST(test_numbers) {
         }
         if (isfinite(strtod(text, NULL))) check_number(text); /* fewer digits may be more than DBL_MAX */
     }
-}
-
-/* Catches: work outside the environment's bracket. */
-TEST(test_rounding_mode) {
-    const double nearest = lone("0.1");
-    algsurf_surface *s = NULL;
-    algsurf_term t;
-    assert_int_equal(fesetround(FE_UPWARD), 0);
-    algsurf_status status = algsurf_surface_from_equation("0.1", NULL, 0, &s, NULL);
-    assert_int_equal(fegetround(), FE_UPWARD);
-    assert_int_equal(fesetround(FE_TONEAREST), 0);
-    assert_ok(status);
-    assert_ok(algsurf_surface_terms(s, &t));
-    assert_true(t.a == nearest);
-    algsurf_surface_free(s);
 }

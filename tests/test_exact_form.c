@@ -90,7 +90,7 @@ static int check(const algsurf_term *given, int given_count, const algsurf_ray *
     assert_ptr_equal(tight.at, again.c + (size_t)(p.degree + 1) * (size_t)p.width);
     algsurf_memory_release(&m, start), algsurf_memory_release(&tight, empty);
     assert_int_equal(m.allocated + tight.allocated, 0);
-    exact_line_clear(&line), free(terms);
+    exact_line_clear(&line), free(terms), algsurf_surface_free(s);
     return p.degree;
 }
 

@@ -22,7 +22,8 @@ enum { ROOM = 16, BITS = 2400 };
 
 static const double end_error = 0x1p-50; /* of t_lo, t_hi, which are rounded outward: relative */
 
-static int rays = 3, seed = 1;
+ARGUMENT(1, int, rays, 3)
+ARGUMENT(2, int, seed, 1)
 
 /* ---- the truth ---- */
 
@@ -245,9 +246,3 @@ TEST(test_extent) { judge_sweep(5, (limits){1, 40, 8}); }
 TEST(test_spread) { judge_sweep(6, (limits){75, 20, 100}); }
 
 TEST(test_leading) { judge_sweep(7, (limits){50, 40, 8}); }
-
-int main(int argc, char **argv) {
-    if (argc > 1) rays = atoi(argv[1]);
-    if (argc > 2) seed = atoi(argv[2]);
-    return unit_run("extremes");
-}

@@ -13,8 +13,8 @@
 #include "catalogue.h"
 #include "surface/impl.h"
 
-static int rounds = 1;
-static uint64_t first_seed = 34;
+ARGUMENT(1, int, rounds, 1)
+ARGUMENT(2, uint64_t, first_seed, 34)
 
 static intersect_case c;
 static intersect_answer answer;
@@ -285,10 +285,4 @@ TEST(test_leave) {
             }
         }
     assert_true(left > 300);
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) rounds = atoi(argv[1]);
-    if (argc > 2) first_seed = strtoull(argv[2], NULL, 10);
-    return unit_run("powers");
 }

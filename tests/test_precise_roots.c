@@ -145,8 +145,8 @@ TEST(families) {
         judge_one("Wilkinson", wilkinson(30), bits[i]);
         judge_one("exp", exponential(33), bits[i]);
         judge_one("Mandelbrot", mandelbrot(6), bits[i]);
-        judge_one("Mignotte", mignotte(20, 1L << 20), bits[i]);
-        judge_one("Mignotte", mignotte(33, 12345), bits[i]);
+        judge_one("Mignotte", mignotte(20, 1L << 20, 1), bits[i]);
+        judge_one("Mignotte", mignotte(33, 12345, 1), bits[i]);
     }
 }
 

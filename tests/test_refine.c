@@ -6,13 +6,8 @@
  * is not told, a final bracket that radii do not widen. */
 #include "exact.h"
 
-#include <fenv.h>
-#if defined(__SSE2__) || defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
-
 #include "algsurf/refine.h"
-#include "unit.h"
+#include "environments.h"
 
 #define SEED 11u
 #define NEWTON_POINTS 248 /* 246 (search.c) and the two ends */
@@ -476,44 +471,24 @@ TEST(test_extreme_polynomials) {
 
 /* ---- environment, options, bad input ---- */
 
-static double f_in_mode(double x, void *data) {
-    if (fegetround() == FE_UPWARD) ++*(int *)data;
-    return x - 0.3;
+typedef struct outcome {
+    algsurf_status status;
+    algsurf_refined_root root;
+} outcome;
+
+static void refine_by_all(void *answers) {
+    static const double c[6] = {0.3, -1.1, 0.7, 2.3, -0.9, 0.01};
+    static const double small[3] = {-0x1p-1060, 0x1p-1061, 0x1p-1062};
+    outcome *to = answers;
+    for (int m = 0; m < 4; m++, to += 2) {
+        algsurf_refine_options o = options_of(methods[m], 0, 0);
+        to[0].status = algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &to[0].root);
+        to[1].status = algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &to[1].root);
+    }
 }
 
-TEST(test_any_environment) {
-    static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const double c[6] = {0.3, -1.1, 0.7, 2.3, -0.9, 0.01};
-    const double small[3] = {-0x1p-1060, 0x1p-1061, 0x1p-1062};
-    for (int m = 0; m < 4; m++)
-        for (int i = 0; i < 3; i++) {
-            algsurf_refine_options o = options_of(methods[m], 0, 0);
-            algsurf_refined_root want[2] = {{0}}, got[2] = {{0}};
-            assert_ok(algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &want[0]));
-            assert_ok(algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &want[1]));
-            fesetround(modes[i]);
-#if defined(__SSE2__) || defined(__x86_64__)
-            unsigned csr = _mm_getcsr();
-            _mm_setcsr(csr | 0x8040u); /* flush to zero, denormals are zero */
-#endif
-            (void)algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &got[0]);
-            (void)algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &got[1]);
-#if defined(__SSE2__) || defined(__x86_64__)
-            unsigned after = _mm_getcsr();
-            _mm_setcsr(csr);
-            assert_int_equal(after & 0xffc0u, (csr | 0x8040u) & 0xffc0u);
-#endif
-            fesetround(FE_TONEAREST);
-            assert_memory_equal(want, got, sizeof want);
-        }
-    int seen = 0; /* a function runs in the caller's environment */
-    algsurf_refined_root r;
-    fesetround(FE_UPWARD);
-    algsurf_status status = algsurf_refine_function(f_in_mode, &seen, 0, 1, NULL, &r);
-    fesetround(FE_TONEAREST);
-    assert_ok(status);
-    assert_int_equal(seen, r.evaluations);
-}
+/* (That a function runs in the caller's environment: test_every_call.) */
+TEST(test_any_environment) { environments_agree(refine_by_all, 8 * sizeof(outcome)); }
 
 TEST(test_options) {
     static probe p = {.f = f_exp};

@@ -10,12 +10,42 @@ static isolate_answer answer;
 static intersect_case c;
 static intersect_answer hits;
 
-/* A root was lost when there were more entries than the degree. */
-TEST(lost_root) {
-    const double p[] = {0x1.90e2a2d88acf1p+97, 0x1.436b07756fbffp+293, 0x1.5535f08e37ea1p-227,
-                        -0x1.54179f651fcf7p-283};
-    isolate_judge(p, 3, -INFINITY, INFINITY, &answer);
+/* Of polynomials: isolated and judged, without a reason to be undecided. */
+TEST(polynomials) {
+    const double inf = INFINITY, most = DBL_MAX;
+    const struct {
+        int degree;
+        double c[17], lo, hi;
+    } cases[] = {
+        /* a root was lost when there were more entries than the degree */
+        {3,
+         {0x1.90e2a2d88acf1p+97, 0x1.436b07756fbffp+293, 0x1.5535f08e37ea1p-227, -0x1.54179f651fcf7p-283},
+         -inf,
+         inf},
+        /* stretches between groups of roots stayed undecided; of coefficients between 2^-10 and 2^10 */
+        {5, {1, 0, 0, 0, -0x1p300, 0x1p-300}, -inf, inf},
+        {16,
+         {0x1.8699ddff70eaep-9,   -0x1.0aa588a8f941ep+9, 0x1.1926a5c0c9d89p-10,  -0x1.536b012bf476cp+5,
+          0x1.c9a4a1041ff32p+0,   0x1.9bc53dd3e1e3ep+0,  0x1.11d09464557e5p+2,   -0x1.4d491cef191acp-2,
+          0x1.f9d5254a73d7ep+7,   0x1.9d53d1c86fb7dp-6,  -0x1.4cbe606301a84p+0,  -0x1.b0eebd1443416p+3,
+          0x1.b14e616ac45p+2,     -0x1.61c5e1f0e985ep-9, 0x1.dec11c82ab7efp-2,   -0x1.0032fdad83ba9p-10,
+          -0x1.2d788d120c85fp+9},
+         -inf,
+         inf},
+        /* signs were evaluated unscaled */
+        {2, {-most, most, most}, -inf, inf},
+        {2, {0x1p-1074, 0, -0x1p-1060}, -1, 1},
+        {2, {-0x1p-1000, 0, 1}, -0x1p-500, 0x1p-500},
+        {2, {0, 0x1p300, 0x1p-600}, -inf, inf},
+        /* the far end of an interval overflowed */
+        {1, {1, -2}, -1e300, -1e200},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        isolate_judge(cases[i].c, cases[i].degree, cases[i].lo, cases[i].hi, &answer);
+        assert_ok(answer.status);
+    }
 }
+/* A root was lost when there were more entries than the degree. */
 TEST(lost_root_with_radii) {
     const double p[] = {-1, 1, 0}, r[] = {0, 0, 0x1p-30};
     algsurf_bracket b[3];
@@ -23,51 +53,6 @@ TEST(lost_root_with_radii) {
     assert_true(algsurf_isolate_all(p, r, 2, -INFINITY, INFINITY, NULL, b, 3, &n) > 0);
     assert_true(b[n - 1].hi ==
                 INFINITY); /* x - 1 + 2^-30 x^2 / 2 has a root at -2^31; -2^-30 x^2 / 2 one at +2^31 */
-}
-/* Stretches between groups of roots stayed undecided. */
-TEST(gap_between_groups) {
-    const double p[] = {1, 0, 0, 0, -0x1p300, 0x1p-300};
-    isolate_judge(p, 5, -INFINITY, INFINITY, &answer);
-    assert_ok(answer.status);
-}
-TEST(gap_ordinary) {
-    /* coefficients between 2^-10 and 2^10 */
-    const double p[] = {0x1.8699ddff70eaep-9,   -0x1.0aa588a8f941ep+9, 0x1.1926a5c0c9d89p-10,
-                        -0x1.536b012bf476cp+5,  0x1.c9a4a1041ff32p+0,  0x1.9bc53dd3e1e3ep+0,
-                        0x1.11d09464557e5p+2,   -0x1.4d491cef191acp-2, 0x1.f9d5254a73d7ep+7,
-                        0x1.9d53d1c86fb7dp-6,   -0x1.4cbe606301a84p+0, -0x1.b0eebd1443416p+3,
-                        0x1.b14e616ac45p+2,     -0x1.61c5e1f0e985ep-9, 0x1.dec11c82ab7efp-2,
-                        -0x1.0032fdad83ba9p-10, -0x1.2d788d120c85fp+9};
-    isolate_judge(p, 16, -INFINITY, INFINITY, &answer);
-    assert_ok(answer.status);
-}
-/* Signs were evaluated unscaled. */
-TEST(range_largest) {
-    const double p[] = {-DBL_MAX, DBL_MAX, DBL_MAX};
-    isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
-    assert_ok(answer.status);
-}
-TEST(range_subnormal) {
-    const double p[] = {0x1p-1074, 0, -0x1p-1060};
-    isolate_judge(p, 2, -1, 1, &answer);
-    assert_ok(answer.status);
-}
-TEST(range_power) {
-    /* test_plus_minus_powers: k to +-500 */
-    const double p[] = {-0x1p-1000, 0, 1};
-    isolate_judge(p, 2, -0x1p-500, 0x1p-500, &answer);
-    assert_ok(answer.status);
-}
-TEST(range_overflow) {
-    const double p[] = {0, 0x1p300, 0x1p-600};
-    isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
-    assert_ok(answer.status);
-}
-/* The far end of an interval overflowed. */
-TEST(huge_end) {
-    const double p[] = {1, -2};
-    isolate_judge(p, 1, -1e300, -1e200, &answer);
-    assert_ok(answer.status);
 }
 /* Arguments were checked before flush-to-zero was switched off. */
 TEST(daz_isolate) {

@@ -33,8 +33,9 @@
 
 enum { MOST_PIXELS = 4096, NAMED = 15, CHECKED = 10 };
 
-static int first_view, view_count = 150;
-static uint64_t first_seed = 20261121;
+ARGUMENT(1, int, view_count, 150)
+ARGUMENT(2, int, first_view, 0)
+ARGUMENT(3, uint64_t, first_seed, 20261121)
 
 typedef struct view {
     int number;
@@ -703,11 +704,4 @@ TEST(test_wide_extents) {
     hits = seen.hits - hits, misses = seen.misses - misses;
     if (hits < 2000 || misses < 2000 || undecided * 100 > hits)
         fail_msg("%ld hits, %ld misses, %ld undecided", hits, misses, undecided);
-}
-
-int main(int count, char **arguments) {
-    if (count > 1) view_count = atoi(arguments[1]);
-    if (count > 2) first_view = atoi(arguments[2]);
-    if (count > 3) first_seed = strtoull(arguments[3], NULL, 0);
-    return unit_run("render_exact");
 }

@@ -12,8 +12,6 @@
  *   haze, a vector's length, the last share, 0 samples one way unchecked              bad_material,
  * bad_shade, bad_lighting a sample beyond the last one bad_samples
  */
-#include <fenv.h>
-
 #include "exact.h"
 #include "shade_reference.h"
 #include "unit.h"
@@ -532,24 +530,4 @@ TEST(bad_material) {
     refuse_lighting(&lighting, ALGSURF_E_ARGUMENT);
     m = material, m.size = 0;
     refuse_lighting(&lighting, ALGSURF_E_SIZE);
-}
-
-TEST(rounding_modes) {
-    static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const double normal[3] = {0.48, 0.6, 0.64}, direction[3] = {-0.6, 0, -0.8};
-    algsurf_light light = light_towards(1.1, 2.2, 3.3);
-    const algsurf_lighting lighting = lighting_of(&light, 1);
-    double c[4][3], p[4][3];
-    for (int m = 0; m < 4; m++) {
-        fesetround(modes[m]);
-        algsurf_status status = algsurf_shade(&lighting, NULL, point, normal, direction, c[m]);
-        algsurf_status second = algsurf_shade_preview(&lighting, point, normal, direction, p[m]);
-        int mode = fegetround();
-        fesetround(FE_TONEAREST);
-        assert_ok(status);
-        assert_ok(second);
-        assert_int_equal(mode, modes[m]);
-        assert_memory_equal(c[m], c[0], sizeof c[0]);
-        assert_memory_equal(p[m], p[0], sizeof p[0]);
-    }
 }

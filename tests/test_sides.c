@@ -17,8 +17,8 @@
 
 #include "catalogue.h"
 
-static int rounds = 1;
-static uint64_t first_seed = 77;
+ARGUMENT(1, int, rounds, 1)
+ARGUMENT(2, uint64_t, first_seed, 77)
 
 static intersect_case c;
 static intersect_answer answer;
@@ -177,10 +177,4 @@ TEST(test_company) {
             for (int side = -1; side <= 1; side++) judge_company(&p, &entry->extent, count, side);
         }
     }
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) rounds = atoi(argv[1]);
-    if (argc > 2) first_seed = strtoull(argv[2], NULL, 10);
-    return unit_run("sides");
 }

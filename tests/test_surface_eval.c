@@ -2,8 +2,6 @@
  *
  * Each test says which breaks it catches.
  */
-#include <fenv.h>
-
 #include "scenes.h"
 #include "surface/impl.h"
 
@@ -197,22 +195,4 @@ TEST(test_refused_points) {
     assert_true(v == 7 && b == 7 && g[0] == 7 && g[1] == 7 && g[2] == 7 && gb[0] == 7);
     assert_ok(algsurf_surface_gradient(s, good, &v, g, NULL, NULL));
     assert_true(v == 1e300 && g[0] == 2e300 && g[1] == 0);
-}
-
-/* Catches: work outside the environment's bracket. */
-TEST(test_rounding_mode) {
-    const algsurf_term terms[] = {{2, 1, 0, 0.1}, {2, 1, 0, 0.7}, {0, 0, 1, 1.1}, {0, 0, 0, -0.3}};
-    const double point[3] = {0.3, 0.7, 1.1};
-    double v[2], b[2], g[2][3], gb[2][3];
-    for (int up = 0; up < 2; up++) {
-        assert_int_equal(fesetround(up ? FE_UPWARD : FE_TONEAREST), 0);
-        algsurf_surface *s = surface_of_terms(terms, 4);
-        algsurf_status status = algsurf_surface_gradient(s, point, &v[up], g[up], &b[up], gb[up]);
-        assert_int_equal(fegetround(), up ? FE_UPWARD : FE_TONEAREST);
-        assert_int_equal(fesetround(FE_TONEAREST), 0);
-        assert_ok(status);
-    }
-    assert_true(v[0] == v[1] && b[0] == b[1]);
-    assert_memory_equal(g[0], g[1], sizeof g[0]);
-    assert_memory_equal(gb[0], gb[1], sizeof gb[0]);
 }

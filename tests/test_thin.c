@@ -20,8 +20,8 @@
 
 enum { MOST = 1024 };
 
-static int views = 6;
-static uint64_t first_seed = 20261125;
+ARGUMENT(1, int, views, 6)
+ARGUMENT(2, uint64_t, first_seed, 20261125)
 
 static const double red[3] = {1, 0, 0};
 
@@ -541,10 +541,4 @@ TEST(lines_are_lit) {
         brightness[i] = pixel[0];
     }
     assert_true(brightness[0] > brightness[1] + 10 && brightness[1] > brightness[2] + 10);
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1) views = atoi(argv[1]);
-    if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    return unit_run("thin");
 }

@@ -6,11 +6,6 @@
  * answer; for the rest a clean return is enough, unless the answer is a certificate that is false.
  * Catches: NaN taken for a miss, an exponent that wraps around, an overflow that hides a hit.
  */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "terms_file.h"
 #include "truth_corpus.h"
 
@@ -110,22 +105,19 @@ static void judge_terms(const char *folder, char *const *row) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
-        fprintf(stderr, "usage: truth_bad DATA_FOLDER\n");
-        return 2;
-    }
-    truth_table cases = truth_read(argv[1], "bad.tsv", COLUMNS);
+    const char *folder = truth_folder(argc, argv);
+    truth_table cases = truth_read(folder, "bad.tsv", COLUMNS);
     for (size_t i = 0; i < cases.rows; i++) {
         char **row = &cases.cell[i * cases.columns];
         if (!strcmp(row[TARGET], "ray"))
-            judge_ray(argv[1], row);
+            judge_ray(folder, row);
         else if (!strcmp(row[TARGET], "terms"))
-            judge_terms(argv[1], row);
+            judge_terms(folder, row);
         else
             wrong(row, "no such target");
     }
     printf("%zu cases, %d violations\n", cases.rows, violations);
-    truth_surface(argv[1], NULL);
+    truth_surface(folder, NULL);
     truth_free(&cases);
     return violations ? 1 : 0;
 }

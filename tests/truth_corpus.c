@@ -1,24 +1,25 @@
 /* truth_corpus.c - tab-separated tables and the corpus's surfaces. */
 #include "truth_corpus.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "terms_file.h"
 
-static _Noreturn void give_up(const char *what, const char *which) {
-    fprintf(stderr, "truth corpus: %s: %s\n", what, which);
+_Noreturn void truth_give_up(const char *what, const char *which) {
+    fprintf(stderr, "corpus: %s: %s\n", what, which);
     exit(2);
+}
+
+const char *truth_folder(int argc, char **argv) {
+    if (argc != 2) truth_give_up("expected the data's folder after", argv[0]);
+    return argv[1];
 }
 
 static char *read_whole(const char *path, size_t *length) {
     FILE *file = fopen(path, "rb");
-    if (!file || fseek(file, 0, SEEK_END) != 0) give_up("cannot open", path);
+    if (!file || fseek(file, 0, SEEK_END) != 0) truth_give_up("cannot open", path);
     long end = ftell(file);
     rewind(file);
     char *text = end >= 0 ? malloc((size_t)end + 1) : NULL;
-    if (!text || fread(text, 1, (size_t)end, file) != (size_t)end) give_up("cannot read", path);
+    if (!text || fread(text, 1, (size_t)end, file) != (size_t)end) truth_give_up("cannot read", path);
     fclose(file);
     *length = (size_t)end;
     text[*length] = '\0';
@@ -34,10 +35,10 @@ truth_table truth_read(const char *folder, const char *name, size_t columns) {
         lines += t.text[i] == '\n';
         tabs += t.text[i] == '\t';
     }
-    if (lines < 2 || tabs != lines * (columns - 1)) give_up("not a table of the expected width", path);
+    if (lines < 2 || tabs != lines * (columns - 1)) truth_give_up("not a table of the expected width", path);
     t.rows = lines - 1;
     t.cell = malloc(t.rows * columns * sizeof *t.cell);
-    if (!t.cell) give_up("no memory for", path);
+    if (!t.cell) truth_give_up("no memory for", path);
     char *next = strchr(t.text, '\n') + 1;
     for (size_t i = 0; i < t.rows * columns; i++) {
         t.cell[i] = next;
@@ -56,7 +57,7 @@ void truth_free(truth_table *t) {
 double truth_number(const char *text) {
     char *end;
     double x = strtod(text, &end);
-    if (end == text || *end) give_up("not a number", text);
+    if (end == text || *end) truth_give_up("not a number", text);
     return x;
 }
 
@@ -77,7 +78,7 @@ const algsurf_surface *truth_surface(const char *folder, const char *name) {
     snprintf(path, sizeof path, "%s/surfaces/%s.terms", folder, name);
     FILE *file = fopen(path, "rb");
     terms_error error;
-    if (!file || terms_read_surface(file, &surface, &error) != 0) give_up("cannot read", path);
+    if (!file || terms_read_surface(file, &surface, &error) != 0) truth_give_up("cannot read", path);
     fclose(file);
     snprintf(kept, sizeof kept, "%s", name);
     return surface;

@@ -5,7 +5,12 @@
  */
 #ifndef TRUTH_CORPUS_H
 #define TRUTH_CORPUS_H
-#include <stddef.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
 #include "algsurf/algsurf.h"
 
@@ -15,6 +20,11 @@ typedef struct truth_table {
     char **cell;
     size_t rows, columns;
 } truth_table;
+
+/* The only argument of a program; ends it where there is another number of them. */
+const char *truth_folder(int argc, char **argv);
+
+_Noreturn void truth_give_up(const char *what, const char *which);
 
 truth_table truth_read(const char *folder, const char *file, size_t columns);
 void truth_free(truth_table *table);

@@ -4,11 +4,6 @@
  *
  * For every polynomial: as many real roots as there are, in order, with their multiplicities, each in its
  * enclosure, which is a double or two neighbours. */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "poly_corpus.h"
 
 #include "roots/exact_walk.h"
@@ -65,12 +60,8 @@ static void judge(const poly_case *p) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
-        fprintf(stderr, "usage: truth_exact DATA_FOLDER\n");
-        return 2;
-    }
     int polynomials = 0;
-    poly_corpus corpus = poly_corpus_read(argv[1]);
+    poly_corpus corpus = poly_corpus_read(truth_folder(argc, argv));
     for (size_t i = 0; i < corpus.count; i++) {
         if (!corpus.poly[i].real) continue;
         judge(&corpus.poly[i]);

@@ -3,20 +3,14 @@
  *     truth_polys DATA_FOLDER
  *
  * For every polynomial the boxes are disjoint, hold as many roots as they say, and all roots; a real
- * polynomial has conjugate boxes; of a root that is alone it is said to be real exactly if it is.  A solver that only says
- * "somewhere" is no use either: roots that stand alone are alone in their box, and unless ill-conditioned
- * it is a few units in the last place wide.
- * Catches: a disc that is too small, a step after which the residual is not bounded anew, a box rounded
- * inward, a root lost or counted twice, a cluster that takes its neighbours along.  (Seen to fail with the
- * discs a tenth of their size and with the ends of boxes rounded inward.)
+ * polynomial has conjugate boxes; of a root that is alone it is said to be real exactly if it is.  A solver
+ * that only says "somewhere" is no use either: roots that stand alone are alone in their box, and unless
+ * ill-conditioned it is a few units in the last place wide. Catches: a disc that is too small, a step after
+ * which the residual is not bounded anew, a box rounded inward, a root lost or counted twice, a cluster that
+ * takes its neighbours along.  (Seen to fail with the discs a tenth of their size and with the ends of boxes
+ * rounded inward.)
  */
-#include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
+#include "allroots_case.h"
 #include "poly_corpus.h"
 
 enum { WIDTHS = 64 };
@@ -32,37 +26,20 @@ static void wrong(const poly_case *p, const char *what) {
     printf("WRONG %s (%s, %s): %s\n", p->id, p->family, p->label, what);
 }
 
-static int meet(algsurf_cinterval a, algsurf_cinterval b) {
-    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
-}
-
-static int is_mirror(algsurf_cinterval a, algsurf_cinterval b) {
-    return a.re.lo == b.re.lo && a.re.hi == b.re.hi && a.im.lo == -b.im.hi && a.im.hi == -b.im.lo;
-}
-
 static void judge_boxes(const poly_case *p, const algsurf_complex_root *e, int count) {
-    int sum = 0;
+    const char *what = case_boxes_wrong(p->degree, e, count);
+    if (what) wrong(p, what);
+    if (p->real && !case_mirrored(e, count)) wrong(p, "a real polynomial, and boxes that are not conjugate");
     for (int i = 0; i < count; i++) {
-        int inside = 0, mirrored = 0, different = 0, reals = 0;
-        algsurf_cinterval box = e[i].box;
-        sum += e[i].multiplicity;
+        int inside = 0, different = 0, reals = 0;
         for (int k = 0; k < p->distinct; k++) {
-            if (!poly_root_in(&p->root[k], box)) continue;
+            if (!poly_root_in(&p->root[k], e[i].box)) continue;
             inside += p->root[k].multiplicity, different++;
             reals += strpbrk(p->root[k].flags, "RZ") != NULL;
         }
         if (inside != e[i].multiplicity) wrong(p, "a box does not hold as many roots as it says");
-        for (int j = 0; j < i; j++)
-            if (meet(box, e[j].box)) wrong(p, "two boxes meet");
-        for (int j = 0; j < count; j++) mirrored += is_mirror(box, e[j].box);
-        if (p->real && mirrored != 1) wrong(p, "a real polynomial, and boxes that are not conjugate");
-        if (!(box.re.lo <= e[i].root.re && e[i].root.re <= box.re.hi && box.im.lo <= e[i].root.im &&
-              e[i].root.im <= box.im.hi))
-            wrong(p, "a value outside of its box");
-        if (e[i].real && (box.im.lo != 0 || box.im.hi != 0)) wrong(p, "a real root off the axis");
         if (different == 1 && e[i].real != reals) wrong(p, "real, or not, other than is said");
     }
-    if (sum != p->degree) wrong(p, "the multiplicities do not add up to the degree");
 }
 
 /* Width in units in the last place of the root's part; parts that overflow or underflow do not count. */
@@ -127,11 +104,7 @@ static int quantile(double share) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
-        fprintf(stderr, "usage: truth_polys DATA_FOLDER\n");
-        return 2;
-    }
-    poly_corpus corpus = poly_corpus_read(argv[1]);
+    poly_corpus corpus = poly_corpus_read(truth_folder(argc, argv));
     for (size_t i = 0; i < corpus.count; i++) judge(&corpus.poly[i]);
     double alone = (double)tally.alone / (double)tally.separated;
     int median = quantile(0.5), most = quantile(0.99);

@@ -13,11 +13,6 @@
  * sign believed inside its error bound, digits lost to a far eye, and a solver that hides behind
  * "undecided".
  */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "base/eft.h"
 #include "packet_case.h"
 #include "truth_corpus.h"
@@ -266,16 +261,13 @@ static void print_tables(void) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
-        fprintf(stderr, "usage: truth_rays DATA_FOLDER\n");
-        return 2;
-    }
-    truth_table rays = truth_read(argv[1], "rays.tsv", RAY_COLUMNS);
-    truth_table roots = truth_read(argv[1], "ray_roots.tsv", ROOT_COLUMNS);
+    const char *folder = truth_folder(argc, argv);
+    truth_table rays = truth_read(folder, "rays.tsv", RAY_COLUMNS);
+    truth_table roots = truth_read(folder, "ray_roots.tsv", ROOT_COLUMNS);
     size_t next = 0;
     for (size_t i = 0; i < rays.rows; i++) {
         truth r = truth_of(&rays, &roots, i, &next);
-        const algsurf_surface *s = truth_surface(argv[1], truth_cell(&rays, i, SURFACE));
+        const algsurf_surface *s = truth_surface(folder, truth_cell(&rays, i, SURFACE));
         judge_first(FIRST, s, &r);
         judge_first(FIRST_BOUNDED, s, &r);
         judge_all(s, &r);
@@ -285,7 +277,7 @@ int main(int argc, char **argv) {
     print_tables();
     judge_bounded();
     printf("%zu rays, %zu roots, %d violations\n", rays.rows, next, violations);
-    truth_surface(argv[1], NULL);
+    truth_surface(folder, NULL);
     truth_free(&rays);
     truth_free(&roots);
     return violations ? 1 : 0;

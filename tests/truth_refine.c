@@ -8,13 +8,6 @@
  * signs believed although rounding, overflow or underflow made them: 201 brackets of the finite intervals
  * were refused and 232 ended beside their root when plain values decided.
  */
-#include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-
 #include "poly_corpus.h"
 
 enum { REPEAT = 5 };
@@ -87,8 +80,7 @@ static double reach(const poly_case *p) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) return fprintf(stderr, "usage: truth_refine DATA_FOLDER\n"), 2;
-    poly_corpus corpus = poly_corpus_read(argv[1]);
+    poly_corpus corpus = poly_corpus_read(truth_folder(argc, argv));
     for (size_t i = 0; i < corpus.count; i++) {
         const poly_case *p = corpus.poly + i;
         if (!p->real) continue;

@@ -11,11 +11,7 @@
  * without its rounding error, or in plain double (boxes too wide), an inclusion that is not one, a double
  * root called unique, two boxes on one root called complete, a failing cold start that is hidden.
  */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
+#include "allroots_case.h"
 #include "poly_corpus.h"
 
 enum { COLD, CIRCLE, STARTS, FAMILIES = 32 };
@@ -59,10 +55,6 @@ static void wrong(int start, const poly_case *p, int i, const char *what, const 
            z->box.im.hi);
 }
 
-static int meet(algsurf_cinterval a, algsurf_cinterval b) {
-    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
-}
-
 /* Half the larger side, relative to the root, of boxes around roots of a condition below 1000.  (A root that
  * did not converge may still be verified, from afar, in a wider box.) */
 static void note_width(int start, const poly_root *root, algsurf_cinterval box) {
@@ -74,9 +66,7 @@ static void note_width(int start, const poly_root *root, algsurf_cinterval box) 
 
 static void judge_box(int start, const poly_case *p, int i, const algsurf_paper_zero *z) {
     int held = poly_roots_in(p, z->box), multiple = 0;
-    if (z->root.re < z->box.re.lo || z->root.re > z->box.re.hi || z->root.im < z->box.im.lo ||
-        z->root.im > z->box.im.hi)
-        wrong(start, p, i, "value outside the box", z);
+    if (!case_in(z->root, z->box)) wrong(start, p, i, "value outside the box", z);
     if (!z->verified) {
         if (z->unique) wrong(start, p, i, "unique without proof", z);
         return;
@@ -99,7 +89,7 @@ static void judge(int start, const poly_case *p, const algsurf_paper_zero *z, in
         judge_box(start, p, i, z + i);
         y->converged += z[i].converged;
         verified += z[i].verified;
-        for (int j = 0; j < i; j++) touching |= meet(z[i].box, z[j].box);
+        for (int j = 0; j < i; j++) touching |= case_meet(z[i].box, z[j].box);
     }
     y->doubled += verified == p->degree && !complete;
     if (complete != (verified == p->degree && !touching))
@@ -182,8 +172,7 @@ static void expect_failures(void) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) return fprintf(stderr, "usage: truth_zeros DATA_FOLDER\n"), 2;
-    poly_corpus corpus = poly_corpus_read(argv[1]);
+    poly_corpus corpus = poly_corpus_read(truth_folder(argc, argv));
     for (int start = 0; start < STARTS; start++) {
         for (size_t i = 0; i < corpus.count; i++) solve(start, corpus.poly + i);
         report(start);

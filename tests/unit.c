@@ -6,6 +6,16 @@ enum { MOST = 64 };
 static struct CMUnitTest list[MOST];
 static int lines[MOST], count;
 
+static void (*setters[4])(const char *text);
+
+void unit_argument(int i, void (*set)(const char *text)) { setters[i] = set; }
+
+int unit_main(int argc, char **argv) {
+    for (int i = 1; i < argc && i < 4; i++)
+        if (setters[i]) setters[i](argv[i]);
+    return unit_run(argc > 0 ? argv[0] : "tests");
+}
+
 static struct kept {
     void *made;
     void (*release)(void *made);

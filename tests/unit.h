@@ -43,6 +43,14 @@ static inline double unit_seconds(void) { return (double)clock() / CLOCKS_PER_SE
 /* Adds a test; runs those of the program (0: all passed). */
 void unit_add(const char *name, CMUnitTestFunction test, int line);
 int unit_run(const char *group);
+int unit_main(int argc, char **argv);
+
+/* A number that the i-th argument of the program sets, i from 1 on. */
+void unit_argument(int i, void (*set)(const char *text));
+#define ARGUMENT(i, type, name, usual)                                                                       \
+    static type name = usual;                                                                                \
+    static void unit_set_##name(const char *text) { name = (type)strtoull(text, NULL, 0); }                  \
+    __attribute__((constructor)) static void unit_take_##name(void) { unit_argument(i, unit_set_##name); }
 
 /* What is made for a test is released when the test ends, the last first; returns what was made. */
 void *unit_keep(void *made, void (*release)(void *made));
