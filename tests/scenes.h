@@ -58,6 +58,19 @@ static inline algsurf_camera parallel_of(const double eye[3], const double at[3]
     return camera;
 }
 
+static inline algsurf_ray pixel_ray(const algsurf_camera *camera, int width, int height, double x, double y) {
+    algsurf_ray ray;
+    assert_ok(algsurf_camera_ray(camera, width, height, x, y, &ray));
+    return ray;
+}
+
+static inline algsurf_hit first_hit_of(const algsurf_surface *surface, const algsurf_extent *extent,
+                                       const algsurf_ray *ray, const algsurf_intersect_options *how) {
+    algsurf_hit hit;
+    assert_ok(algsurf_intersect_first(surface, extent, ray, how, &hit));
+    return hit;
+}
+
 /* With this extent, camera and way to intersect; what is null stays as it is. */
 static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
                                       const algsurf_camera *camera, const algsurf_intersect_options *how) {

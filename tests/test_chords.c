@@ -497,12 +497,11 @@ static void chord_of_ray(const test_view *v, const algsurf_i_view *view, int uni
 static void check_pixel(const test_view *v, const algsurf_i_picture *picture, const algsurf_i_row_job *job,
                         int i, int y) {
     static int shown;
-    algsurf_ray ray;
     exact_line x;
     mask open;
     double error;
     init_line(&x);
-    assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5, &ray));
+    algsurf_ray ray = pixel_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5);
     chord_of_ray(v, job->view, picture->scene->surface->unit, &ray, &x);
     const sight s = sight_at(job, all_lanes(i));
     const chord c = clip(job, &s, all_lanes(job->near), &open);

@@ -227,8 +227,7 @@ TEST(shadows_as_by_rays) {
 
 /* The part of a pixel's ray before or behind a plane. */
 static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *plane, int pixel) {
-    algsurf_ray ray;
-    assert_ok(algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray));
+    algsurf_ray ray = pixel_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5);
     double above = -plane->offset, rise = 0;
     for (int i = 0; i < 3; i++) {
         above += plane->normal[i] * ray.origin[i];

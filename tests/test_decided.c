@@ -431,8 +431,7 @@ TEST(test_picture_of_itself) {
     set_equation("x^2 + y^2 + z^2 - 1");
     for (int row = 0; row < SIDE; row++) {
         for (int x = 0; x < SIDE; x++) {
-            algsurf_ray ray;
-            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray));
+            algsurf_ray ray = pixel_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5);
             packet_put(&p, x, &ray);
         }
         assert_ok(packet_ask(&p, 0, SIDE, c.surface, &ball, NULL));
@@ -453,14 +452,13 @@ TEST(test_picture_of_itself) {
 TEST(test_far_exponents) {
     const algsurf_term terms[] = {
         {52, 0, 2, 0x1p512}, {7, 48, 0, 0x1p53}, {50, 9, 0, 0x0.012688b70e62bp-1022}};
-    algsurf_hit hit;
     assert_true(intersect_terms(&c, terms, 3));
     c.ray = (algsurf_ray){{0x1p-1000, 0x1p-1, 0x1.fffffffffffffp+0},
                           {-0x1.a888cefc9fcf2p+1, -0x1.11775b13a6689p-16, 0x1p-1000},
                           0,
                           8};
     double begun = unit_seconds();
-    assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
+    algsurf_hit hit = first_hit_of(c.surface, NULL, &c.ray, NULL);
     double taken = unit_seconds() - begun;
     printf("far exponents: %.2f s, state %d, multiplicity %d at %a\n", taken, hit.state, hit.multiplicity,
            hit.t);
@@ -506,14 +504,13 @@ TEST(test_powers_of_a_sphere) {
         double taken = 0;
         assert_true(exact);
         for (int k = 0; k < rows[i].rays; k++) {
-            algsurf_hit hit;
             for (int axis = 0; axis < 3; axis++) {
                 c.ray.direction[axis] = random_unit(&seed);
                 c.ray.origin[axis] = 1.2 * random_unit(&seed) - 4 * c.ray.direction[axis];
             }
             c.ray.t_min = -INFINITY, c.ray.t_max = INFINITY;
             double begun = unit_seconds();
-            assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
+            algsurf_hit hit = first_hit_of(c.surface, NULL, &c.ray, NULL);
             taken += unit_seconds() - begun;
             int meets = meets_sphere(c.ray.origin, c.ray.direction);
             int right = meets ? hit.multiplicity == rows[i].power && hit.side == 1 : hit.multiplicity == 0;

@@ -41,11 +41,9 @@ static void judge(const algsurf_surface *surface, int e, const algsurf_camera *c
                   const algsurf_intersect_options *options, const picture *p) {
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
-            algsurf_ray ray;
-            algsurf_hit hit;
             const double t = p->hits[y * W + x];
-            assert_ok(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray));
-            assert_ok(algsurf_intersect_first(surface, NULL, &ray, options, &hit));
+            algsurf_ray ray = pixel_ray(camera, W, H, x + 0.5, y + 0.5);
+            algsurf_hit hit = first_hit_of(surface, NULL, &ray, options);
             if (p->states[y * W + x] != hit.state) fail_pixel("another state", e, camera, x, y, t, &hit);
             if (hit.state != ALGSURF_STATE_HIT) continue;
             double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +

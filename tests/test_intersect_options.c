@@ -91,11 +91,10 @@ TEST(test_tolerance_and_rounding) {
         algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
         for (int pixel = 0; pixel < 9 * 12; pixel++) {
             double x = hard[i].x % 8 + pixel % 12 * 8 + 0.5, y = hard[i].y % 8 + pixel / 12 * 8 + 0.5;
-            algsurf_hit known;
             int meets;
             assert_ok(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray));
             assert_ok(algsurf_ray_clip(&c.ray, &entry->extent, NULL, 0, &c.ray, &meets));
-            assert_ok(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known));
+            algsurf_hit known = first_hit_of(c.surface, &entry->extent, &c.ray, NULL);
             if (!meets || known.state != ALGSURF_STATE_HIT) continue;
             exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
             double root = exact_root(&s, known.t_lo, known.t_hi, 0);

@@ -752,8 +752,7 @@ TEST(test_options) {
     assert_ok(ask(&p, 0, MOST, extent, &options));
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = packet_ray(&p, i);
-        algsurf_hit exact;
-        assert_ok(algsurf_intersect_first(surface, extent, &ray, NULL, &exact));
+        algsurf_hit exact = first_hit_of(surface, extent, &ray, NULL);
         assert_int_equal(p.state[i], exact.state);
         if (p.state[i] == ALGSURF_STATE_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
     }
@@ -851,9 +850,8 @@ TEST(test_out_of_range) {
 TEST(test_subnormal) {
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 1, 1, 1}};
     const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
-    algsurf_hit hit;
     algsurf_surface *s = surface_of_terms(terms, 2);
-    assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
+    algsurf_hit hit = first_hit_of(s, NULL, &ray, NULL);
     assert_int_equal(hit.state, ALGSURF_STATE_HIT);
     assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
 }

@@ -195,10 +195,9 @@ static int hits_of_row(const stage *s, const algsurf_extent *extent, int y, int 
                        algsurf_hit *hits) {
     int count = 0;
     for (int x = 0; x < WIDTH; x++) {
-        algsurf_ray ray;
         algsurf_hit *hit = &hits[count];
         double from_centre[3];
-        assert_ok(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
+        algsurf_ray ray = pixel_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5);
         assert_true(algsurf_intersect_first(s->surface, extent, &ray, NULL, hit) >= 0);
         if (hit->state != ALGSURF_STATE_HIT || fabs(algsurf_dot(hit->normal, ray.direction)) < 0.05) continue;
         for (int i = 0; i < 3; i++)

@@ -110,8 +110,7 @@ static const char *judge(const view *v, const exact_answer *answer, double t) {
 }
 
 static void check_pixel(const view *v, int x, int row) {
-    algsurf_ray ray;
-    assert_ok(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5, &ray));
+    algsurf_ray ray = pixel_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5);
     double reach = v->distance + v->extent.size[0];
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * 0x1p-53 * reach);
     seen.checked++, seen.hits += answer.sure, seen.misses += answer.count == 0;
@@ -120,8 +119,7 @@ static void check_pixel(const view *v, int x, int row) {
         const char *wrong = judge(v, &answer, hits[tier][(row - v->row_begin) * WIDTH + x]);
         if (!wrong) continue;
         const algsurf_intersect_options how = {.size = sizeof how, .tier = tiers[tier]};
-        algsurf_hit hit;
-        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
+        algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, &how);
         uint8_t *before = &is_excused[(row - v->row_begin) * WIDTH + x];
         if (hit.state == ALGSURF_STATE_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
             seen.excused += !*before, *before = 1;

@@ -305,8 +305,7 @@ TEST(near_tips) {
         long double square = 0, before[3], normal[3];
         for (int i = 0; i < 3; i++) before[i] = -cone_weights[i] * d[i], square += before[i] * before[i];
         if (square > 0 && d[0] * d[0] + d[1] * d[1] != d[2] * d[2]) {
-            algsurf_hit hit;
-            assert_ok(algsurf_intersect_first(b.surface, NULL, &ray, NULL, &hit));
+            algsurf_hit hit = first_hit_of(b.surface, NULL, &ray, NULL);
             assert_int_equal(hit.multiplicity, 2);
             for (int i = 0; i < 3; i++) normal[i] = hit.normal[i];
             double off = degrees_between(normal, before);
@@ -365,10 +364,9 @@ TEST(pictures) {
         assert_ok(algsurf_render(scene, &options, &picture, NULL));
         int seen = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
-            algsurf_ray ray;
             long double radial[3], normal[3], dot = 0;
             if (!isfinite(t[i])) continue;
-            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
+            algsurf_ray ray = pixel_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5);
             for (int k = 0; k < 3; k++) {
                 normal[k] = normals[3 * i + k];
                 radial[k] = ((long double)ray.origin[k] - c[k]) + (long double)t[i] * ray.direction[k];

@@ -32,9 +32,8 @@ static uint8_t byte_of(const picture *p, int pixel, int channel) {
 /* The hit a sample of the torus scene must have, from the public single steps. */
 static algsurf_hit hit_of(const algsurf_surface *surface, double x, double y, algsurf_ray *ray) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
-    algsurf_hit hit;
     assert_ok(algsurf_camera_ray(&camera, W, H, x, y, ray));
-    assert_ok(algsurf_intersect_first(surface, &ball, ray, NULL, &hit));
+    algsurf_hit hit = first_hit_of(surface, &ball, ray, NULL);
     return hit;
 }
 
@@ -462,8 +461,7 @@ static void double_plane(int tier) {
         picture *p = drawn(scene, 1);
         assert_true(p->stats.undecided == open && p->stats.hits == all - open && p->stats.rays == all);
         for (int k = 0; k < W * H; k++) {
-            algsurf_ray ray;
-            assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
+            algsurf_ray ray = pixel_ray(&camera, W, H, k % W + 0.5, k / W + 0.5);
             assert_true(open > 0 || fabs(p->hits[k] - 6 / ray.direction[1]) < 1e-12);
             assert_true(p->bytes[k / W * STRIDE + k % W * 3 + 2] < 250); /* the background is white */
         }
@@ -625,10 +623,8 @@ TEST(steep_ramps) {
             const algsurf_picture planes = {.size = sizeof planes, .t = t, .state = states};
             assert_ok(algsurf_render(scene, &options, &planes, NULL));
             for (int i = 0; i < SIDE * SIDE; i++) {
-                algsurf_ray ray;
-                algsurf_hit hit;
-                assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
-                assert_ok(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit));
+                algsurf_ray ray = pixel_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5);
+                algsurf_hit hit = first_hit_of(surface, &unit_ball, &ray, NULL);
                 assert_int_equal(states[i], hit.state);
                 double slope = 2 * pow(10, power) * fabs(hit.position[2]); /* of t, across the ray */
                 if (hit.state == ALGSURF_STATE_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))

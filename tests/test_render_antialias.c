@@ -276,10 +276,8 @@ static double t_at(const algsurf_surface *surface, const algsurf_extent *extent,
                    const algsurf_camera *camera, const double place[2]) {
     const algsurf_intersect_options how = {
         .size = sizeof how, .planes = &cut, .plane_count = (size_t)a->planes};
-    algsurf_ray ray;
-    algsurf_hit hit;
-    assert_ok(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray));
-    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
+    algsurf_ray ray = pixel_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1]);
+    algsurf_hit hit = first_hit_of(surface, extent, &ray, &how);
     return hit.state == ALGSURF_STATE_HIT ? hit.t : INFINITY;
 }
 

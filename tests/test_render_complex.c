@@ -84,9 +84,8 @@ TEST(pixel_by_pixel) {
     for (int k = 0; k < W * H; k++) {
         double c[3] = {1, 1, 1};
         unsigned char bytes[3];
-        algsurf_ray ray;
         algsurf_hit hit;
-        assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
+        algsurf_ray ray = pixel_ray(&camera, W, H, k % W + 0.5, k / W + 0.5);
         assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, &space, NULL, NULL, &hit, NULL));
         hits += hit.state == ALGSURF_STATE_HIT;
         if (hit.state != ALGSURF_STATE_MISS)
@@ -108,9 +107,8 @@ static void assert_same_states(const catalogue_entry *entry, const algsurf_surfa
     uint64_t undecided = 0;
     algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     for (int k = 0; k < W * H; k++) {
-        algsurf_ray ray;
         algsurf_hit hit;
-        assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
+        algsurf_ray ray = pixel_ray(&camera, W, H, k % W + 0.5, k / W + 0.5);
         assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, space, NULL, NULL, &hit, NULL));
         undecided += hit.state == ALGSURF_STATE_UNDECIDED;
         assert_true(isinf(p->hits[k]) == (hit.state == ALGSURF_STATE_MISS));
@@ -281,9 +279,8 @@ static uint64_t cubic_column(double c) {
  * lanes leave each of its pixels to the single ray. */
 TEST(cluster_is_left) {
     const double eye[3] = {0, 0, 4}, up[3] = {0, 1, 0};
-    algsurf_ray ray;
     algsurf_camera camera = parallel_of(eye, origin, up, 2);
-    assert_ok(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray));
+    algsurf_ray ray = pixel_ray(&camera, W, H, 17.5, 0.5);
     uint64_t clustered = cubic_column(ray.origin[0] - 4e-15), apart = cubic_column(ray.origin[0] - 1e-3);
     assert_true(clustered >= H && apart == 0);
 }

@@ -157,12 +157,11 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
 static int find_point(const view *v, double far, uint64_t *seed, double point[3]) {
     for (int i = 0; i < 20; i++) {
         algsurf_ray ray = {.t_max = 4 * far};
-        algsurf_hit hit;
         for (int k = 0; k < 3; k++) {
             ray.origin[k] = far * random_unit(seed);
             ray.direction[k] = random_unit(seed);
         }
-        assert_ok(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit));
+        algsurf_hit hit = first_hit_of(v->surface, NULL, &ray, NULL);
         if (hit.state != ALGSURF_STATE_HIT) continue;
         for (int k = 0; k < 3; k++) point[k] = hit.position[k];
         return 1;
@@ -288,8 +287,7 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
 }
 
 static algsurf_ray ray_at(const view *v, double x, double y) {
-    algsurf_ray ray;
-    assert_ok(algsurf_camera_ray(&v->camera, v->width, v->height, x, y, &ray));
+    algsurf_ray ray = pixel_ray(&v->camera, v->width, v->height, x, y);
     return ray;
 }
 
@@ -361,11 +359,10 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
     exact_answer answer;
     for (int k = 0; k < n * n; k++) {
         double sx = x + (k % n + 0.5) / n, sy = row + (k / n + 0.5) / n;
-        algsurf_hit hit;
         ray = ray_at(v, sx, sy);
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
-        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
+        algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, NULL);
         undecided |= hit.state == ALGSURF_STATE_UNDECIDED;
         for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
@@ -441,8 +438,7 @@ static void check_same(const view *v, const drawing *d, uint64_t *seed) {
 
 static int hits_at(const view *v, double x, double y) {
     algsurf_ray ray = ray_at(v, x, y);
-    algsurf_hit hit;
-    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
+    algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, NULL);
     return hit.state != ALGSURF_STATE_MISS;
 }
 
@@ -573,8 +569,7 @@ TEST(test_noise_of_second_order) {
                                     .up = {0, -z, y},
                                     .forward = {0, -y, -z},
                                     .half_height = 1e-8};
-        algsurf_ray ray;
-        assert_ok(algsurf_camera_ray(&v.camera, 1, 1, 0.5, 0.5, &ray));
+        algsurf_ray ray = pixel_ray(&v.camera, 1, 1, 0.5, 0.5);
         exact_line l; /* b y - a z along the ray */
         const algsurf_term plane[] = {{0, 1, 0, b}, {0, 0, 1, -a}};
         mpq_t slope;
@@ -661,9 +656,8 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     double t = d->hits[y * v->width + x];
     algsurf_ray ray = ray_at(v, x + 0.5, y + 0.5);
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
-    algsurf_hit hit;
     int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
-    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
+    algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, &how);
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
     seen.checked++, seen.hits += state == ALGSURF_STATE_HIT, seen.misses += state == ALGSURF_STATE_MISS;
     if (hit.state == ALGSURF_STATE_UNDECIDED) return 1;

@@ -50,9 +50,8 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
 
 static algsurf_hit hit_at(const struct way *way, const algsurf_surface *surface, double x, double y) {
     const algsurf_camera camera = camera_in(way);
-    algsurf_ray ray;
     algsurf_hit hit;
-    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
+    algsurf_ray ray = pixel_ray(&camera, W, H, x, y);
     algsurf_status status =
         way->complex ? algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL)
                      : algsurf_intersect_first(surface, &ball, &ray, NULL, &hit);
@@ -134,10 +133,8 @@ TEST(undecided) {
                 algsurf_hit nearest = {.t = INFINITY};
                 for (int s = 0; s < n * n; s++) {
                     double x = k % W + (s % n + 0.5) / n, y = k / W + (s / n + 0.5) / n;
-                    algsurf_ray ray;
-                    algsurf_hit hit;
-                    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
-                    assert_ok(algsurf_intersect_first(surface, &ball, &ray, &how, &hit));
+                    algsurf_ray ray = pixel_ray(&camera, W, H, x, y);
+                    algsurf_hit hit = first_hit_of(surface, &ball, &ray, &how);
                     if (s == 0 || hit.t < nearest.t) nearest = hit;
                 }
                 assert_int_equal(nearest.state, told[d]);

@@ -124,17 +124,15 @@ static long hits, misses;
 
 /* Is t within the last digits of what the ray by itself says? */
 static int is_precise(const view *v, const algsurf_ray *ray, double t) {
-    algsurf_hit hit;
-    assert_ok(algsurf_intersect_first(v->surface, &v->extent, ray, NULL, &hit));
+    algsurf_hit hit = first_hit_of(v->surface, &v->extent, ray, NULL);
     return fabs(t - hit.t) < (random_salt ? 0x1p-40 : 0x1p-50);
 }
 
 static void check_pixel(const view *v, int i, const slice *tiles, const slice *rays) {
-    algsurf_ray ray;
     const int x = i % v->width, y = v->row + i / v->width;
     double t = tiles->t[i];
     int same = tiles->states[i] == rays->states[i];
-    assert_ok(algsurf_camera_ray(&v->camera, v->width, v->height, x + 0.5, y + 0.5, &ray));
+    algsurf_ray ray = pixel_ray(&v->camera, v->width, v->height, x + 0.5, y + 0.5);
     hits += isfinite(t), misses += isinf(t) != 0;
     double apart = same && isfinite(t) ? fabs(t - rays->t[i]) : 0;
     if (apart > (v->small ? 0 : 0x1p-36 * v->entry->extent.size[0]))

@@ -225,10 +225,8 @@ static int engine_of(const algsurf_surface *surface, const algsurf_extent *exten
     const algsurf_camera camera = camera_of(extent);
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_intersect_options how = {.size = sizeof how, .observer = &observer};
-    algsurf_ray ray;
-    algsurf_hit hit;
-    assert_ok(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
-    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
+    algsurf_ray ray = pixel_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5);
+    (void)first_hit_of(surface, extent, &ray, &how);
     return observer.engine;
 }
 

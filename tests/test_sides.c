@@ -80,8 +80,7 @@ static void leave(const algsurf_hit *hit) {
 /* Do doubles decide hits of this side? */
 static int is_decided(const algsurf_extent *extent, int side) {
     const algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .side = side};
-    algsurf_hit hit;
-    assert_ok(algsurf_intersect_first(c.surface, extent, &c.ray, &how, &hit));
+    algsurf_hit hit = first_hit_of(c.surface, extent, &c.ray, &how);
     return hit.state != ALGSURF_STATE_UNDECIDED;
 }
 
@@ -141,10 +140,9 @@ TEST(test_leave_thin_walls) {
         const double gap = ldexp(1, -k);
         const algsurf_term walls[] = {{2, 0, 0, 1}, {1, 0, 0, -2 - gap}, {0, 0, 0, 1 + gap}};
         const algsurf_ray ray = {{0, 0.25, 0.5}, {1, 0, 0}, 0, INFINITY};
-        algsurf_hit hit;
         double start[3] = {7, 7, 7};
         algsurf_surface *s = surface_of_terms(walls, 3);
-        assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
+        algsurf_hit hit = first_hit_of(s, NULL, &ray, NULL);
         assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == 1);
         algsurf_status status = algsurf_hit_leave(s, &ray, &hit, -1, start);
         if (status == ALGSURF_OK ? !(start[0] > 1 && start[0] < 1 + gap) : start[0] != 7)

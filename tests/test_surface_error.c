@@ -153,10 +153,9 @@ TEST(far_roots) {
     if (certain * 4 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
     const algsurf_term line[] = {{0, 0, 0, 1}, {1, 0, 0, 0x1p-1030}};
     const algsurf_ray along = {{0, 0, 0}, {1, 0, 0}, -INFINITY, INFINITY};
-    algsurf_hit hit;
     assert_true(intersect_terms(&c, line, 2));
     algsurf_surface *s = with_error(0x1p-53);
-    assert_ok(algsurf_intersect_first(s, NULL, &along, NULL, &hit));
+    algsurf_hit hit = first_hit_of(s, NULL, &along, NULL);
     assert_true(hit.state == ALGSURF_STATE_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
 }
 
@@ -264,11 +263,10 @@ TEST(a_surface_with_error_is_the_same) {
 /* A point that is on the surface for some coefficients only. */
 TEST(a_point) {
     const algsurf_intersect_options o = {.size = sizeof o, .tier = ALGSURF_TIER_CERTIFIED};
-    algsurf_hit hit;
     intersect_equation(&c, "x - 1");
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
-    assert_ok(algsurf_intersect_first(s, NULL, &at_one, &o, &hit));
+    algsurf_hit hit = first_hit_of(s, NULL, &at_one, &o);
     assert_int_equal(hit.state, ALGSURF_STATE_UNDECIDED);
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
     assert_ok(algsurf_intersect_first(s, NULL, &beside, &o, &hit));
