@@ -1,11 +1,10 @@
 /* exact_pixel.h - the oracle for a pixel: the first root of P along its ray inside the extent, over integers.
  *
  * The part of the ray inside the extent, made a little longer, becomes [0,1], with integers over a power of
- * two as its ends; P along it comes from Horner's scheme over polynomials in that variable; its roots are
- * isolated from left to right by Descartes' rule and bisection (Collins, Akritas 1976), a cluster that does
- * not come apart by a Sturm chain.  What `room` says is what the ends of the part may be off by: of a root
- * closer to an end of the extent than that, either answer is right.  The ray's own beginning, the eye, is
- * exact.
+ * two as its ends; the roots of P along it are isolated from left to right by Descartes' rule and bisection
+ * (Collins, Akritas 1976), a cluster that does not come apart by a Sturm chain.  What `room` says is what the
+ * ends of the part may be off by: of a root closer to an end of the extent than that, either answer is right.
+ * The ray's own beginning, the eye, is exact.
  */
 #ifndef EXACT_PIXEL_H
 #define EXACT_PIXEL_H
@@ -15,12 +14,6 @@
 #include "exact_ray.h"
 
 enum { PIXEL_BITS = 1024, DEEPEST = 110 };
-
-/* P as integers: coefficient a of x^i y^j z^k at (k side + j) side + i. */
-typedef struct exact_form {
-    int n, side, shift;
-    mpz_t *a; /* times 2^shift */
-} exact_form;
 
 /* A root: in [at, at + 1] 2^-bits, or at 2^-bits itself. */
 typedef struct exact_place {
@@ -46,64 +39,12 @@ typedef struct exact_answer {
     long double slope[ALGSURF_MAX_DEGREE + 1], bend[ALGSURF_MAX_DEGREE + 1]; /* |dP/dt|, |d2P/dt2| there */
 } exact_answer;
 
-static inline exact_form exact_form_of(const algsurf_term *terms, int count, int n) {
-    exact_form form = {n, n + 1, 0, exact_polynomials(n + 1, (n + 1) * (n + 1))};
-    double *a = calloc((size_t)count, sizeof *a);
-    mpz_t *integers = exact_polynomials(1, count);
-    for (int i = 0; i < count; i++) a[i] = terms[i].a;
-    form.shift = exact_integers(integers, a, count - 1);
-    for (int i = 0; i < count; i++)
-        mpz_set(form.a[(terms[i].k * form.side + terms[i].j) * form.side + terms[i].i], integers[i]);
-    exact_free(integers, count), free(a);
-    return form;
-}
-
-static inline void exact_form_clear(exact_form *form) {
-    exact_free(form->a, form->side * form->side * form->side);
-}
-
 /* p, of degree n, becomes p (u + v x). */
 static inline void exact_times_linear(mpz_t *p, int n, const mpz_t u, const mpz_t v) {
     for (int k = n + 1; k >= 0; k--) {
         mpz_mul(p[k], p[k], u);
         if (k > 0) mpz_addmul(p[k], p[k - 1], v);
     }
-}
-
-/* p[0..n] = P(u + v x) 2^(bits n), where u, v are 2^bits times the coordinates. */
-static inline void exact_along(const exact_form *form, const mpz_t *u, const mpz_t *v, long bits, mpz_t *p) {
-    int n = form->n, side = form->side;
-    mpz_t *level = exact_polynomials(1, n + 2), *row = exact_polynomials(1, n + 2), a;
-    mpz_init(a);
-    for (int k = n; k >= 0; k--) {
-        for (int d = 0; d <= n; d++) mpz_set_ui(level[d], 0);
-        for (int j = n - k; j >= 0; j--) {
-            for (int d = 0; d <= n; d++) mpz_set_ui(row[d], 0);
-            for (int i = n - k - j; i >= 0; i--) {
-                exact_times_linear(row, n - k - j - i - 1, u[0], v[0]);
-                mpz_mul_2exp(a, form->a[(k * side + j) * side + i], (unsigned long)(bits * (n - k - j - i)));
-                mpz_add(row[0], row[0], a);
-            }
-            exact_times_linear(level, n - k - j - 1, u[1], v[1]);
-            for (int d = 0; d <= n - k - j; d++) mpz_add(level[d], level[d], row[d]);
-        }
-        exact_times_linear(p, n - k - 1, u[2], v[2]);
-        for (int d = 0; d <= n - k; d++) mpz_add(p[d], p[d], level[d]);
-    }
-    exact_free(level, n + 2), exact_free(row, n + 2), mpz_clear(a);
-}
-
-/* P along the ray. */
-static inline exact_line exact_form_line(const exact_form *form, const algsurf_ray *ray) {
-    exact_line line = {form->n, 0, exact_polynomials(1, form->n + 1)};
-    mpz_t *parts = exact_polynomials(1, 6);
-    double six[6];
-    for (int i = 0; i < 3; i++) six[i] = ray->origin[i], six[3 + i] = ray->direction[i];
-    int unit = exact_integers(parts, six, 5);
-    exact_along(form, (const mpz_t *)parts, (const mpz_t *)parts + 3, unit, line.c);
-    line.shift = form->shift + (long)unit * form->n;
-    exact_free(parts, 6);
-    return line;
 }
 
 /* f = x / 2^shift. */
@@ -359,9 +300,10 @@ static inline exact_answer exact_first_roots(const exact_line *line, const algsu
     return answer;
 }
 
-static inline exact_answer exact_first_root(const exact_form *form, const algsurf_extent *extent,
-                                            const algsurf_ray *ray, double room) {
-    exact_line line = exact_form_line(form, ray);
+static inline exact_answer exact_first_root(const algsurf_term *terms, int count, int n,
+                                            const algsurf_extent *extent, const algsurf_ray *ray,
+                                            double room) {
+    exact_line line = exact_line_of(terms, count, n, ray);
     exact_answer answer = exact_first_roots(&line, extent, ray, room, 1);
     exact_line_clear(&line);
     return answer;

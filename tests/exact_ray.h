@@ -23,11 +23,19 @@ static inline void exact_multiply(mpz_t *product, mpz_t *a, int n, mpz_t *b, int
         for (int j = 0; j <= m; j++) mpz_addmul(product[i + j], a[i], b[j]);
 }
 
+/* sum += a b, and a = 0 */
+static inline void exact_add(mpz_t *sum, mpz_t *a, int n, mpz_t *b, int m) {
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= m && mpz_sgn(a[i]); j++) mpz_addmul(sum[i + j], a[i], b[j]);
+        mpz_set_ui(a[i], 0);
+    }
+}
+
 /* The line of the terms along the ray; n at least the terms' total degrees.  To be cleared. */
 static inline exact_line exact_line_of(const algsurf_term *terms, int count, int n, const algsurf_ray *ray) {
     int width = n + 1, unit;
     double six[6];
-    mpz_t parts[6], *power[3], *xy = exact_polynomials(1, width), *xyz = exact_polynomials(1, width);
+    mpz_t parts[6], *power[3], *row = exact_polynomials(1, width), *level = exact_polynomials(1, width);
     exact_line line = {n, 0, exact_polynomials(1, width)};
     for (int i = 0; i < 3; i++) six[2 * i] = ray->origin[i], six[2 * i + 1] = ray->direction[i];
     for (int i = 0; i < 6; i++) mpz_init(parts[i]);
@@ -43,17 +51,17 @@ static inline exact_line exact_line_of(const algsurf_term *terms, int count, int
     mpz_t *factor = exact_polynomials(1, count);
     for (int i = 0; i < count; i++) a[i] = terms[i].a;
     line.shift = exact_integers(factor, a, count - 1) + (long)unit * n;
-    for (int i = 0; i < count; i++) {
-        const algsurf_term *m = terms + i;
-        int degree = m->i + m->j + m->k;
-        exact_multiply(xy, power[0] + m->i * width, m->i, power[1] + m->j * width, m->j);
-        exact_multiply(xyz, xy, m->i + m->j, power[2] + m->k * width, m->k);
-        mpz_mul_2exp(factor[i], factor[i], (unsigned long)(unit * (n - degree)));
-        for (int k = 0; k <= degree; k++) mpz_addmul(line.c[k], factor[i], xyz[k]);
+    for (const algsurf_term *m = terms; m < terms + count; m++) { /* rows of one y^j z^k, levels of one z^k */
+        mpz_t *f = factor + (m - terms);
+        int last = m + 1 == terms + count || m[1].k != m->k;
+        mpz_mul_2exp(*f, *f, (unsigned long)(unit * (n - m->i - m->j - m->k)));
+        for (int e = 0; e <= m->i; e++) mpz_addmul(row[e], *f, power[0][m->i * width + e]);
+        if (last || m[1].j != m->j) exact_add(level, row, n - m->j - m->k, power[1] + m->j * width, m->j);
+        if (last) exact_add(line.c, level, n - m->k, power[2] + m->k * width, m->k);
     }
     for (int axis = 0; axis < 3; axis++) exact_free(power[axis], width * width);
     for (int i = 0; i < 6; i++) mpz_clear(parts[i]);
-    exact_free(xy, width), exact_free(xyz, width), exact_free(factor, count), free(a);
+    exact_free(row, width), exact_free(level, width), exact_free(factor, count), free(a);
     return line;
 }
 

@@ -35,6 +35,11 @@ static inline uint64_t random_bits(uint64_t *state) {
 /* Uniform in [-1,1]. */
 static inline double random_unit(uint64_t *state) { return (double)(int64_t)random_bits(state) * 0x1p-63; }
 
+/* Uniform in [lo,hi]. */
+static inline double random_between(uint64_t *state, double lo, double hi) {
+    return lo + (hi - lo) * 0.5 * (1 + random_unit(state));
+}
+
 /* Uniform in 0 .. n-1. */
 static inline int random_int(uint64_t *state, int n) { return (int)(random_bits(state) % (uint64_t)n); }
 

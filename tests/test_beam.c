@@ -32,10 +32,6 @@ enum { MOST = ALGSURF_MAX_BEAM_DEGREE, SIDE = MOST + 1, PIXELS = 64, PLACES = PI
 ARGUMENT(1, long, ray_count, 1200)
 ARGUMENT(2, uint64_t, first_seed, 20261123)
 
-static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
-}
-
 /* A surface and a view of it. */
 typedef struct test_view {
     algsurf_surface *surface;
@@ -49,11 +45,11 @@ static void make_frame(test_view *v, uint64_t *seed, int degree, const algsurf_t
     algsurf_i_view *view = &v->frame.view;
     memset(view, 0, sizeof *view);
     v->frame.q = v->q, v->frame.basis = v->basis, v->frame.sizes = v->sizes, v->frame.along = v->along;
-    for (int i = 0; i < 3; i++) view->axis[i][i] = 1, view->centre[i] = uniform(seed, -0.2, 0.2);
-    view->size = uniform(seed, 0.5, 1.5);
+    for (int i = 0; i < 3; i++) view->axis[i][i] = 1, view->centre[i] = random_between(seed, -0.2, 0.2);
+    view->size = random_between(seed, 0.5, 1.5);
     if (random_int(seed, 3)) {
-        view->alpha = 1 / uniform(seed, 1.2, 8);
-        for (int k = 0; k < 2; k++) view->beta[k] = random_int(seed, 2) ? uniform(seed, -0.1, 0.1) : 0;
+        view->alpha = 1 / random_between(seed, 1.2, 8);
+        for (int k = 0; k < 2; k++) view->beta[k] = random_int(seed, 2) ? random_between(seed, -0.1, 0.1) : 0;
     }
     view->noise = 0x1p-50;
     void *memory = malloc(algsurf_i_frame_memory(degree));
@@ -68,7 +64,7 @@ static void set_view(test_view *v, uint64_t *seed, int degree) {
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++) {
             int k = random_int(seed, degree - i - j + 1);
-            terms[count++] = (algsurf_term){i, j, k, uniform(seed, -1, 1)};
+            terms[count++] = (algsurf_term){i, j, k, random_between(seed, -1, 1)};
         }
     terms[count++] = (algsurf_term){0, 0, degree, 1};
     make_frame(v, seed, degree, terms, count);
@@ -177,9 +173,10 @@ TEST(rows_of_tiles_keep_their_bound) {
         int degree = 1 + (int)(turn % MOST);
         set_view(&t, &seed, degree);
         algsurf_i_beam_row row = {.c = t.c};
-        double h = ldexp(1, -random_int(&seed, 10) - 3), v = uniform(&seed, -1, 1);
+        double h = ldexp(1, -random_int(&seed, 10) - 3), v = random_between(&seed, -1, 1);
         algsurf_i_beam_row_expand(&t.frame, t.g, v, h, h, t.square, &row);
-        double u = uniform(&seed, -1, 1), eta = random_int(&seed, 3) ? uniform(&seed, -1, 1) : 1;
+        double u = random_between(&seed, -1, 1),
+               eta = random_int(&seed, 3) ? random_between(&seed, -1, 1) : 1;
         mpq_t p[SIDE], at[2], w;
         new_exact(p, degree), mpq_inits(at[0], at[1], w, NULL);
         exact_set(at[0], u), exact_set(at[1], eta);
@@ -216,16 +213,16 @@ typedef struct test_band {
 } test_band;
 
 static void set_band(test_band *b, const test_view *t, uint64_t *seed) {
-    b->side = ldexp(uniform(seed, 1, 2), -random_int(seed, 5) - 5);
-    b->v0 = uniform(seed, -0.6, 0.6) + b->side * PIXELS / 2;
+    b->side = ldexp(random_between(seed, 1, 2), -random_int(seed, 5) - 5);
+    b->v0 = random_between(seed, -0.6, 0.6) + b->side * PIXELS / 2;
     b->extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE};
     b->rays = (algsurf_i_row_job){.view = &t->frame.view,
                                   .offset = -PIXELS / 2,
                                   .pixel = b->side,
-                                  .u0 = uniform(seed, -0.6, 0.6),
+                                  .u0 = random_between(seed, -0.6, 0.6),
                                   .du = 1,
                                   .extent = &b->extent,
-                                  .extent_size = {uniform(seed, 0.5, 1)},
+                                  .extent_size = {random_between(seed, 0.5, 1)},
                                   .near = t->frame.view.alpha > 0 ? -1 / t->frame.view.alpha : -1.5};
     b->size = ALGSURF_I_LEAF << random_int(seed, 3);
 }
@@ -327,7 +324,7 @@ static void check_ray(test_view *t, const test_band *b, int first, int tiles, ui
     static const double ends[] = {0, 1};
     double at[2], u, v, chord[2];
     for (int k = 0; k < 2; k++) { /* an edge of a tile, now and then */
-        double within = random_int(seed, 3) ? uniform(seed, 0, 1) : ends[random_int(seed, 2)];
+        double within = random_int(seed, 3) ? random_between(seed, 0, 1) : ends[random_int(seed, 2)];
         at[k] = b->size * (first + random_int(seed, tiles) + within);
     }
     u = b->rays.u0 + (at[0] - PIXELS / 2) * b->side, v = b->v0 - b->side * at[1];
@@ -383,11 +380,12 @@ TEST(the_rest_is_felt) {
     static test_band b;
     memset(&seen, 0, sizeof seen);
     for (long turn = 0; turn < ray_count / 10; turn++) {
-        double h = ldexp(uniform(&seed, 1, 2), -4), fourth = pow(h, 4), c = uniform(&seed, 0.2, 3) * fourth;
+        double h = ldexp(random_between(&seed, 1, 2), -4), fourth = pow(h, 4),
+               c = random_between(&seed, 0.2, 3) * fourth;
         const algsurf_term terms[] = {{0, 0, 0, c},
-                                      {0, 0, 1, uniform(&seed, -0.2, 0.2) * fourth},
+                                      {0, 0, 1, random_between(&seed, -0.2, 0.2) * fourth},
                                       {4, 0, 0, -1},
-                                      {0, 4, 0, -uniform(&seed, 0, 1)},
+                                      {0, 4, 0, -random_between(&seed, 0, 1)},
                                       {5, 0, 0, random_int(&seed, 2) ? -1 / h : 0}};
         make_frame(&t, &seed, 5, terms, sizeof terms / sizeof *terms);
         algsurf_i_view *view = &t.frame.view;
@@ -444,13 +442,13 @@ TEST(noise_is_felt) {
     for (int turn = 0; turn < 200; turn++) {
         static test_view t;
         static test_band b;
-        double s = ldexp(uniform(&seed, 1, 2), -9 - turn % 4);
+        double s = ldexp(random_between(&seed, 1, 2), -9 - turn % 4);
         const algsurf_term terms[] = {{1, 0, 0, -1}, {0, 0, 1, s}};
         make_frame(&t, &seed, 1, terms, 2);
         algsurf_i_view *view = &t.frame.view;
         view->size = 1, view->alpha = view->beta[0] = view->beta[1] = 0;
         for (int i = 0; i < 3; i++) view->centre[i] = 0;
-        view->noise = ldexp(uniform(&seed, 1, 2), turn % 2 ? -24 : -40);
+        view->noise = ldexp(random_between(&seed, 1, 2), turn % 2 ? -24 : -40);
         void *memory = malloc(algsurf_i_frame_memory(1));
         assert_int_equal(algsurf_i_frame_expand(t.surface, &t.frame, memory), 1);
         free(memory);

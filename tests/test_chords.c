@@ -33,11 +33,9 @@ ARGUMENT(2, long, picture_count, 1500)
 ARGUMENT(3, uint64_t, first_seed, 20261125)
 static long clear_count; /* rays that need no chord */
 
-static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
+static double power_between(uint64_t *seed, double lo, double hi) {
+    return exp2(random_between(seed, lo, hi));
 }
-
-static double power_between(uint64_t *seed, double lo, double hi) { return exp2(uniform(seed, lo, hi)); }
 
 /* 0, or of either sign and some size between powers of two. */
 static double little(uint64_t *seed, double lo, double hi) {
@@ -235,8 +233,8 @@ static void random_axes(uint64_t *seed, double axis[3][3]) {
 /* Through (x,y,z), within the bounds of forms; the slopes of either sign, large, small or 0. */
 static void aim_line(test_line *l, uint64_t *seed, const double at[3]) {
     do {
-        l->a = random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
-        l->b = random_int(seed, 3) ? uniform(seed, -4, 4) : little(seed, -30, 0);
+        l->a = random_int(seed, 3) ? random_between(seed, -4, 4) : little(seed, -30, 0);
+        l->b = random_int(seed, 3) ? random_between(seed, -4, 4) : little(seed, -30, 0);
         l->u = at[0] - l->a * at[2], l->v = at[1] - l->b * at[2];
     } while (!(fabs(l->u) + fabs(l->a) < 4 && fabs(l->v) + fabs(l->b) < 4));
 }
@@ -264,7 +262,8 @@ static void pass_box(test_line *l, uint64_t *seed) {
     double point[3], at[3], *h = l->job.extent_size;
     for (int i = 0; i < 3; i++) {
         double side = random_int(seed, 2) ? 1 : -1;
-        point[i] = random_int(seed, 3) ? side * h[i] + little(seed, -52, -8) : uniform(seed, -h[i], h[i]);
+        point[i] =
+            random_int(seed, 3) ? side * h[i] + little(seed, -52, -8) : random_between(seed, -h[i], h[i]);
     }
     in_view(l, point, at);
     aim_line(l, seed, at);
@@ -282,7 +281,7 @@ static void pass_box(test_line *l, uint64_t *seed) {
 
 /* Through about the chord: any, all but along the line, or one that touches the ball. */
 static void random_plane(test_line *l, uint64_t *seed, algsurf_i_cut_plane *p) {
-    double z = uniform(seed, -1, 1), direction[3];
+    double z = random_between(seed, -1, 1), direction[3];
     const double at[3] = {l->u + z * l->a, l->v + z * l->b, z}, along[3] = {l->a, l->b, 1};
     (void)algsurf_unit(along, direction);
     random_unit3(seed, p->normal);
@@ -292,21 +291,22 @@ static void random_plane(test_line *l, uint64_t *seed, algsurf_i_cut_plane *p) {
         (void)algsurf_unit(p->normal, p->normal);
     }
     p->offset = algsurf_dot(p->normal, at) + (random_int(seed, 2) ? little(seed, -50, -10) : 0);
-    if (random_int(seed, 6) == 0) p->offset = uniform(seed, -11, 4);
+    if (random_int(seed, 6) == 0) p->offset = random_between(seed, -11, 4);
     p->error = 0;
 }
 
 static void random_line(test_line *l, uint64_t *seed) {
     memset(l, 0, sizeof *l);
     int box = random_int(seed, 2), tangent = random_int(seed, 2);
-    double at[3] = {uniform(seed, -0.6, 0.6), uniform(seed, -0.6, 0.6), uniform(seed, -0.6, 0.6)};
+    double at[3] = {random_between(seed, -0.6, 0.6), random_between(seed, -0.6, 0.6),
+                    random_between(seed, -0.6, 0.6)};
     random_axes(seed, l->view.axis);
     l->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
     l->job =
         (algsurf_i_row_job){.view = &l->view, .row = &l->form, .extent = &l->extent, .planes = l->planes};
     for (int i = 0; i < 3; i++)
         l->job.extent_size[i] = !box                  ? 1 / (1 + 0x1p-20)
-                                : random_int(seed, 4) ? uniform(seed, 0.1, 0.57)
+                                : random_int(seed, 4) ? random_between(seed, 0.1, 0.57)
                                                       : power_between(seed, -45, -1.5);
     aim_line(l, seed, at);
     if (tangent && box) pass_box(l, seed);
@@ -383,7 +383,7 @@ static void random_aim(const test_view *v, uint64_t *seed, double eye[3], double
     const double *h = v->extent.size;
     int box = v->extent.kind == ALGSURF_EXTENT_BOX, face = random_int(seed, 3);
     double radius = box ? algsurf_length(h) : h[0], away[3], across[3];
-    double far = random_int(seed, 3) ? uniform(seed, 1.01, 6) : power_between(seed, -2, 26);
+    double far = random_int(seed, 3) ? random_between(seed, 1.01, 6) : power_between(seed, -2, 26);
     int hard = random_int(seed, 4);
     random_unit3(seed, away);
     random_across(seed, away, across);
@@ -418,7 +418,7 @@ static void random_cut(const test_view *v, uint64_t *seed, const double aim[3], 
 static void random_view(test_view *v, uint64_t *seed) {
     static const double sizes[] = {1, 1, 3, 1e-20, 1e20};
     double radius = sizes[random_int(seed, 5)], eye[3], aim[3], look[3], up[3];
-    double fov = random_int(seed, 2) ? uniform(seed, 1, 170) : pow(10, -uniform(seed, 0, 9));
+    double fov = random_int(seed, 2) ? random_between(seed, 1, 170) : pow(10, -random_between(seed, 0, 9));
     int box = random_int(seed, 2), parallel = random_int(seed, 4) == 0;
     double far = random_int(seed, 3) ? 0 : radius * power_between(seed, 0, 26);
     v->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
@@ -426,7 +426,8 @@ static void random_view(test_view *v, uint64_t *seed) {
         v->extent.centre[i] = far * random_unit(seed);
         v->extent.size[i] = box || i == 0 ? radius : 0;
         if (box)
-            v->extent.size[i] *= random_int(seed, 4) ? uniform(seed, 0.2, 1) : power_between(seed, -40, 0);
+            v->extent.size[i] *=
+                random_int(seed, 4) ? random_between(seed, 0.2, 1) : power_between(seed, -40, 0);
     }
     random_aim(v, seed, eye, aim);
     for (int i = 0; i < 3; i++) eye[i] += v->extent.centre[i], look[i] = aim[i] + v->extent.centre[i];

@@ -28,7 +28,8 @@ typedef struct view {
     const char *name;
     int number, row_begin, row_end;
     algsurf_surface *surface;
-    exact_form form;
+    algsurf_term *terms;
+    int term_count;
     algsurf_extent extent;
     algsurf_camera camera;
     double distance; /* of the eye from the extent's centre */
@@ -39,22 +40,16 @@ static struct { long checked, outlines, hits, misses, ends, undecided, rays, exc
 static double hits[TIERS][WIDTH * HEIGHT];
 static uint8_t bytes[3 * WIDTH * HEIGHT], is_excused[WIDTH * HEIGHT]; /* of one view, bounded tier */
 
-static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
-}
-
 static void set_surface(view *v, const char *equation) {
     v->surface = surface_of(equation);
-    size_t count = algsurf_surface_term_count(v->surface);
-    algsurf_term *terms = calloc(count, sizeof *terms);
-    assert_ok(algsurf_surface_terms(v->surface, terms));
-    v->form = exact_form_of(terms, (int)count, algsurf_surface_degree(v->surface));
-    free(terms);
+    v->term_count = (int)algsurf_surface_term_count(v->surface);
+    v->terms = unit_keep(calloc((size_t)v->term_count, sizeof *v->terms), free);
+    assert_ok(algsurf_surface_terms(v->surface, v->terms));
 }
 
 /* From a random side, 1.1 to 8 radii away; the picture is as high as the extent, or as a hundredth of it. */
 static void set_camera(view *v, uint64_t *seed) {
-    double eye[3], at[3], length = 0, radius = v->extent.size[0], far = radius * uniform(seed, 1.1, 8);
+    double eye[3], at[3], length = 0, radius = v->extent.size[0], far = radius * random_between(seed, 1.1, 8);
     const double up[3] = {random_unit(seed), random_unit(seed), 1};
     for (int i = 0; i < 3; i++) {
         eye[i] = random_unit(seed);
@@ -62,7 +57,7 @@ static void set_camera(view *v, uint64_t *seed) {
         length += eye[i] * eye[i];
     }
     for (int i = 0; i < 3; i++) eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
-    double tangent = radius / far * pow(10, v->number % 2 ? uniform(seed, -2, 0) : 0);
+    double tangent = radius / far * pow(10, v->number % 2 ? random_between(seed, -2, 0) : 0);
     assert_ok(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera));
     v->distance = far;
 }
@@ -112,7 +107,8 @@ static const char *judge(const view *v, const exact_answer *answer, double t) {
 static void check_pixel(const view *v, int x, int row) {
     algsurf_ray ray = pixel_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5);
     double reach = v->distance + v->extent.size[0];
-    exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * 0x1p-53 * reach);
+    exact_answer answer = exact_first_root(v->terms, v->term_count, algsurf_surface_degree(v->surface),
+                                           &v->extent, &ray, ROOM * 0x1p-53 * reach);
     seen.checked++, seen.hits += answer.sure, seen.misses += answer.count == 0;
     seen.ends += answer.count > answer.sure;
     for (int tier = 0; tier < TIERS; tier++) {
@@ -174,7 +170,6 @@ static void check_surface(const char *name, const char *equation, const algsurf_
         "%ld excused, %ld wrong\n",
         name, seen.checked, seen.outlines, seen.hits, seen.misses, seen.ends, seen.undecided, seen.rays,
         seen.excused, seen.wrong);
-    exact_form_clear(&v.form);
     assert_int_equal(seen.wrong, 0);
     if (whole) return;
     assert_often(seen.outlines * 3 > seen.checked);

@@ -44,7 +44,6 @@ typedef struct view {
     algsurf_surface *surface;
     algsurf_term *terms;
     int term_count, degree;
-    exact_form form;
     algsurf_extent extent;
     algsurf_camera camera;
     double radius; /* of the ball about the extent */
@@ -63,10 +62,6 @@ static struct {
     long views, rays, single, checked, hits, misses, edges, undecided, excused, clustered, wrong;
     double worst; /* error of t by what is allowed */
 } seen;
-
-static double uniform(uint64_t *seed, double lo, double hi) {
-    return lo + (hi - lo) * 0.5 * (1 + random_unit(seed));
-}
 
 /* ---- surfaces ---- */
 
@@ -113,14 +108,8 @@ static void set_surface(view *v, const algsurf_term *terms, int count) {
     v->surface = surface_of_terms(terms, (size_t)count);
     v->term_count = (int)algsurf_surface_term_count(v->surface);
     v->degree = algsurf_surface_degree(v->surface);
-    v->terms = calloc((size_t)v->term_count, sizeof *v->terms);
+    v->terms = unit_keep(calloc((size_t)v->term_count, sizeof *v->terms), free);
     assert_ok(algsurf_surface_terms(v->surface, v->terms));
-    v->form = exact_form_of(v->terms, v->term_count, v->degree);
-}
-
-static void release(view *v) {
-    exact_form_clear(&v->form);
-    free(v->terms);
 }
 
 static void make_surface(view *v, uint64_t *seed, int *length) {
@@ -145,8 +134,8 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
         add_dense(terms, &count, n, seed);
         (void)snprintf(v->name, sizeof v->name, "dense-%d", n);
     }
-    *length = random_int(seed, 3) ? 0 : (int)(uniform(seed, -1, 1) * fmin(332, 900.0 / n));
-    scale_terms(terms, count, *length, random_int(seed, 3) ? 0 : (int)uniform(seed, -498, 498));
+    *length = random_int(seed, 3) ? 0 : (int)(random_between(seed, -1, 1) * fmin(332, 900.0 / n));
+    scale_terms(terms, count, *length, random_int(seed, 3) ? 0 : (int)random_between(seed, -498, 498));
     set_surface(v, terms, count);
     free(terms);
 }
@@ -175,20 +164,22 @@ static void make_extent(view *v, int length, uint64_t *seed) {
     int kind = random_int(seed, 8);
     for (int i = 0; i < 3; i++) e->centre[i] *= unit, e->size[i] *= unit;
     if (kind == 1 || kind == 2) { /* a part of the surface */
-        far = kind == 1 ? e->size[0] : e->size[0] * pow(10, uniform(seed, -6, 6));
+        far = kind == 1 ? e->size[0] : e->size[0] * pow(10, random_between(seed, -6, 6));
         if (find_point(v, far, seed, e->centre))
-            e->size[0] = far * pow(10, uniform(seed, kind == 1 ? -6 : -3, 0));
+            e->size[0] = far * pow(10, random_between(seed, kind == 1 ? -6 : -3, 0));
     } else if (kind == 3) {
-        for (int i = 0; i < 3; i++) e->centre[i] += e->size[0] * uniform(seed, -1, 1);
+        for (int i = 0; i < 3; i++) e->centre[i] += e->size[0] * random_between(seed, -1, 1);
     } else if (kind == 4) {
-        e->size[0] *= pow(10, uniform(seed, -6, 6));
+        e->size[0] *= pow(10, random_between(seed, -6, 6));
     }
     v->radius = e->size[0];
     if (random_int(seed, 4) == 0) {
         e->kind = ALGSURF_EXTENT_BOX;
         v->radius = 0;
         for (int i = 0; i < 3; i++) {
-            e->size[i] = e->size[0] * (i == 0 ? 1 : uniform(seed, 0, 1) < 0.2 ? 1e-3 : uniform(seed, 0.3, 1));
+            e->size[i] = e->size[0] * (i == 0                             ? 1
+                                       : random_between(seed, 0, 1) < 0.2 ? 1e-3
+                                                                          : random_between(seed, 0.3, 1));
             v->radius += e->size[i] * e->size[i];
         }
         v->radius = sqrt(v->radius);
@@ -244,11 +235,11 @@ static void make_camera(view *v, uint64_t *seed) {
     static const double distances[] = {1.0001, 1.000002, 1.3, 4, 1e2, 1e4, 1e6, 1e7, 1e8, 0.5, 0, 4};
     double far = distances[random_int(seed, 12)], eye[3], at[3], d[3], aside[3], zoom = 1;
     int centred = random_int(seed, 3) == 0;
-    if (random_int(seed, 5) == 0) far = pow(10, uniform(seed, -3, 8));
-    if (random_int(seed, 3) == 0) zoom = pow(10, uniform(seed, -7, 0));
+    if (random_int(seed, 5) == 0) far = pow(10, random_between(seed, -3, 8));
+    if (random_int(seed, 3) == 0) zoom = pow(10, random_between(seed, -7, 0));
     unit_vector(d, random_int(seed, 5), seed);
     unit_vector(aside, random_int(seed, 4), seed);
-    double off = centred ? 0 : uniform(seed, 0, 1) * v->radius;
+    double off = centred ? 0 : random_between(seed, 0, 1) * v->radius;
     for (int i = 0; i < 3; i++) {
         eye[i] = v->extent.centre[i] + far * v->radius * d[i];
         at[i] = v->extent.centre[i] + off * aside[i];
@@ -257,7 +248,7 @@ static void make_camera(view *v, uint64_t *seed) {
             at[i] = eye[i] + v->radius * aside[i];
         }
     }
-    double spread = far > 1 ? 1 / sqrt(far * far - 1) : uniform(seed, 0.3, 11);
+    double spread = far > 1 ? 1 / sqrt(far * far - 1) : random_between(seed, 0.3, 11);
     double share = (double)v->height / fmax(v->width, v->height); /* the longer side spans the ball */
     if (far > 0 && random_int(seed, 4) == 0) {
         if (far < 1.2 && far > 1 && random_int(seed, 2)) far = 3;
@@ -360,7 +351,8 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
     for (int k = 0; k < n * n; k++) {
         double sx = x + (k % n + 0.5) / n, sy = row + (k / n + 0.5) / n;
         ray = ray_at(v, sx, sy);
-        answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
+        answer = exact_first_root(v->terms, v->term_count, v->degree, &v->extent, &ray,
+                                  ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
         algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, NULL);
         undecided |= hit.state == ALGSURF_STATE_UNDECIDED;
@@ -491,7 +483,6 @@ TEST(test_extreme_views) {
             check_same(&v, &d, &seed);
             if (look == 0 && !aim_at_edge(&v, &d, &seed)) break;
         }
-        release(&v);
     }
     printf("%ld views, %ld rays, %ld single, %ld undecided; %ld pixels checked, %ld edges, %ld hits, %ld "
            "misses, "
@@ -517,7 +508,6 @@ static void check_all(view *v) {
     draw(v, NULL, v->row_begin, &d);
     for (int y = v->row_begin; y < v->row_end; y++)
         for (int x = 0; x < v->width && seen.wrong < before + 2; x++) check_pixel(v, &d, x, y, 0);
-    release(v);
     assert_int_equal(seen.wrong, before);
 }
 
@@ -655,7 +645,8 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     const algsurf_intersect_options how = {.size = sizeof how, .tier = v->tier};
     double t = d->hits[y * v->width + x];
     algsurf_ray ray = ray_at(v, x + 0.5, y + 0.5);
-    exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
+    exact_answer answer =
+        exact_first_root(v->terms, v->term_count, v->degree, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
     int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_STATE_MISS : ALGSURF_STATE_HIT;
     algsurf_hit hit = first_hit_of(v->surface, &v->extent, &ray, &how);
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
@@ -692,7 +683,6 @@ TEST(test_wide_extents) {
             open += check_certified_pixel(&v, &d, i % v.width, i / v.width);
         undecided += open;
         if (open > (int)d.stats.undecided) fail_msg("%d undecided, %d told", open, (int)d.stats.undecided);
-        release(&v);
     }
     assert_int_equal(seen.wrong, wrong);
     hits = seen.hits - hits, misses = seen.misses - misses;
