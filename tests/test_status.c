@@ -1,54 +1,19 @@
 /* test_status.c - texts, names, version.  Breaks caught: a code missing from a switch, a name or text of
- * another code, a number that moved (they are ABI), a version that differs from the header's. */
+ * another code, a version that differs from the header's.  check_layout holds the numbers. */
 #include "algsurf/status.h"
 #include "unit.h"
 
-static const struct {
-    algsurf_status status;
-    int number;
-    const char *name;
-} released[] = {
-    /* the numbers of release 1.0, written out: never to be changed */
-    {ALGSURF_E_ARGUMENT, -1, "ALGSURF_E_ARGUMENT"},
-    {ALGSURF_E_NOT_FINITE, -2, "ALGSURF_E_NOT_FINITE"},
-    {ALGSURF_E_NO_MEMORY, -3, "ALGSURF_E_NO_MEMORY"},
-    {ALGSURF_E_DEGREE, -4, "ALGSURF_E_DEGREE"},
-    {ALGSURF_E_SYNTAX, -5, "ALGSURF_E_SYNTAX"},
-    {ALGSURF_E_ZERO, -6, "ALGSURF_E_ZERO"},
-    {ALGSURF_E_RANGE, -7, "ALGSURF_E_RANGE"},
-    {ALGSURF_E_THREAD, -8, "ALGSURF_E_THREAD"},
-    {ALGSURF_E_BUILD, -9, "ALGSURF_E_BUILD"},
-    {ALGSURF_E_NAME, -10, "ALGSURF_E_NAME"},
-    {ALGSURF_E_SIZE, -11, "ALGSURF_E_SIZE"},
-    {ALGSURF_E_CAPACITY, -12, "ALGSURF_E_CAPACITY"},
-    {ALGSURF_OK, 0, "ALGSURF_OK"},
-    {ALGSURF_UNDECIDED_MULTIPLE, 1, "ALGSURF_UNDECIDED_MULTIPLE"},
-    {ALGSURF_UNDECIDED_END, 2, "ALGSURF_UNDECIDED_END"},
-    {ALGSURF_UNDECIDED_ZERO, 3, "ALGSURF_UNDECIDED_ZERO"},
-    {ALGSURF_UNDECIDED_RANGE, 4, "ALGSURF_UNDECIDED_RANGE"},
-    {ALGSURF_NOT_CONVERGED, 5, "ALGSURF_NOT_CONVERGED"},
-    {ALGSURF_CANCELLED, 6, "ALGSURF_CANCELLED"},
-    {ALGSURF_NOT_VERIFIED, 7, "ALGSURF_NOT_VERIFIED"},
-};
-#define RELEASED (sizeof released / sizeof released[0])
-
-TEST(test_numbers_and_names) {
-    for (size_t i = 0; i < RELEASED; i++) {
-        assert_int_equal((int)released[i].status, released[i].number);
-        assert_string_equal(algsurf_status_name(released[i].status), released[i].name);
-    }
-}
-
-/* Every code of the list is known here, has the text of the list, and no text occurs twice. */
-TEST(test_texts) {
-#define ENTRY(name, number, text) {name, text},
+/* Every code of the list has its name and text, and no text occurs twice. */
+TEST(test_names_and_texts) {
+#define ENTRY(name, number, text) {name, #name, text},
     static const struct {
         algsurf_status status;
-        const char *text;
+        const char *name, *text;
     } list[] = {ALGSURF_STATUS_LIST(ENTRY)};
 #undef ENTRY
-    assert_int_equal(sizeof list / sizeof list[0], RELEASED);
-    for (size_t i = 0; i < RELEASED; i++) {
+    assert_true(sizeof list / sizeof list[0] >= 20);
+    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+        assert_string_equal(algsurf_status_name(list[i].status), list[i].name);
         assert_string_equal(algsurf_status_text(list[i].status), list[i].text);
         assert_true(strlen(list[i].text) > 0);
         for (size_t j = 0; j < i; j++) assert_string_not_equal(list[i].text, list[j].text);

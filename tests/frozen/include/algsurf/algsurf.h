@@ -4,8 +4,6 @@
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
 #define ALGSURF_VERSION (ALGSURF_VERSION_MAJOR * 10000 + ALGSURF_VERSION_MINOR * 100 + ALGSURF_VERSION_PATCH)
-#define ALGSURF_MAX_DEGREE 64
-#define ALGSURF_MAX_POLY_DEGREE 512
 #define ALGSURF_API __attribute__((visibility("default")))
 #define ALGSURF_STATUS_LIST(X) \
     X(ALGSURF_E_ARGUMENT, -1, "an argument is null, or out of its range") \
@@ -47,11 +45,6 @@ typedef struct algsurf_cinterval {
 } algsurf_cinterval;
 ALGSURF_API algsurf_interval algsurf_interval_sub(algsurf_interval a, algsurf_interval b);
 ALGSURF_API int algsurf_interval_contains(algsurf_interval a, double x);
-typedef struct algsurf_integer {
-    const uint64_t *limbs;
-    int length;
-} algsurf_integer;
-#define ALGSURF_MAX_LIMBS 16384
 typedef struct algsurf_table {
     const double *at;
     ptrdiff_t power, polynomial;
@@ -61,12 +54,6 @@ typedef enum algsurf_engine {
     ALGSURF_ENGINE_DOUBLES = 1,
     ALGSURF_ENGINE_INTEGERS = 2
 } algsurf_engine;
-typedef enum algsurf_sign {
-    ALGSURF_SIGN_NEGATIVE = -1,
-    ALGSURF_SIGN_ZERO = 0,
-    ALGSURF_SIGN_POSITIVE = 1,
-    ALGSURF_SIGN_UNDECIDED = 2
-} algsurf_sign;
 typedef struct algsurf_cell {
     double lo, hi;
     int variations;
@@ -85,17 +72,6 @@ typedef struct algsurf_observer {
     size_t evaluations;
     int engine;
 } algsurf_observer;
-typedef struct algsurf_real_root {
-    double root;
-    double lo, hi;
-    int multiplicity;
-    int sign;
-} algsurf_real_root;
-typedef enum algsurf_bracket_kind {
-    ALGSURF_BRACKET_ISOLATED = 0,
-    ALGSURF_BRACKET_EXACT = 1,
-    ALGSURF_BRACKET_UNDECIDED = 2
-} algsurf_bracket_kind;
 typedef struct algsurf_bracket {
     double lo, hi;
     int kind;
@@ -131,7 +107,6 @@ typedef struct algsurf_refined_root {
     int iterations;
     int converged;
 } algsurf_refined_root;
-typedef double (*algsurf_function)(double x, void *data);
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_refine_options *options,
                                                algsurf_refined_root *result);
@@ -143,20 +118,6 @@ typedef struct algsurf_complex_root {
 } algsurf_complex_root;
 ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                                          algsurf_complex_root *roots, int *count);
-#define ALGSURF_MAX_ROOT_BITS 1000000
-typedef struct algsurf_precise_roots algsurf_precise_roots;
-typedef struct algsurf_precise_root {
-    algsurf_integer re, im;
-    int exponent, radius;
-    int multiplicity;
-    int real;
-} algsurf_precise_root;
-typedef struct algsurf_complex_solver algsurf_complex_solver;
-typedef struct algsurf_complex_solver_stats {
-    size_t size;
-    int iterations;
-    int retries;
-} algsurf_complex_solver_stats;
 typedef struct algsurf_batch_options {
     size_t size;
     const char *kernel;
@@ -180,22 +141,9 @@ typedef enum algsurf_first_root_state {
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
                                                      unsigned char *state, double *root);
-typedef struct algsurf_complex_batch {
-    size_t size;
-    size_t count;
-    int degree;
-    algsurf_table re;
-    algsurf_table im;
-    algsurf_table radii;
-} algsurf_complex_batch;
 typedef struct algsurf_sector {
     double sigma, delta;
 } algsurf_sector;
-typedef enum algsurf_selected {
-    ALGSURF_SELECTED_NONE = 0,
-    ALGSURF_SELECTED_ONE = 1,
-    ALGSURF_SELECTED_UNDECIDED = 2
-} algsurf_selected;
 typedef struct algsurf_paper_options {
     size_t size;
     double relative_step;
@@ -253,15 +201,10 @@ typedef struct algsurf_extent {
     double centre[3];
     double size[3];
 } algsurf_extent;
-#define ALGSURF_MAX_CLIP_PLANES 8
 typedef struct algsurf_plane {
     double normal[3];
     double offset;
 } algsurf_plane;
-typedef enum algsurf_part {
-    ALGSURF_PART_ALL = 0,
-    ALGSURF_PART_SINGULAR = 1
-} algsurf_part;
 typedef enum algsurf_tier {
     ALGSURF_TIER_CERTIFIED = 0,
     ALGSURF_TIER_BOUNDED = 1
@@ -302,7 +245,6 @@ typedef struct algsurf_intersect_options {
     size_t plane_count;
     int side;
 } algsurf_intersect_options;
-#define ALGSURF_DEFAULT_MEMORY ((size_t)1 << 30)
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
@@ -353,10 +295,6 @@ ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surf
                                                      const algsurf_complex_space *space,
                                                      const algsurf_complex *start, algsurf_complex *roots,
                                                      algsurf_hit *hit, algsurf_complex *root);
-typedef enum algsurf_camera_kind {
-    ALGSURF_CAMERA_PINHOLE = 0,
-    ALGSURF_CAMERA_ORTHOGRAPHIC = 1
-} algsurf_camera_kind;
 typedef struct algsurf_camera {
     double eye[3];
     double right[3], up[3], forward[3];
@@ -413,10 +351,6 @@ typedef enum algsurf_quality {
     ALGSURF_QUALITY_STANDARD = 1,
     ALGSURF_QUALITY_FULL = 2
 } algsurf_quality;
-typedef enum algsurf_coherence {
-    ALGSURF_COHERENCE_NONE = 0,
-    ALGSURF_COHERENCE_NEIGHBOURS = 1
-} algsurf_coherence;
 ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
 ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
