@@ -2,6 +2,7 @@
 #ifndef EXACT_ZPOLYS_H
 #define EXACT_ZPOLYS_H
 #include "exact_limbs.h"
+#include "exact_roots.h"
 
 #include "poly/integral.h"
 
@@ -59,33 +60,17 @@ static inline void exact_zpoly_derive(exact_zpoly *r, const exact_zpoly *a) {
 
 /* Without content, the leading coefficient positive. */
 static inline void exact_zpoly_primitive(exact_zpoly *p) {
-    mpz_t g;
-    mpz_init(g);
-    for (int k = 0; k <= p->n; k++) mpz_gcd(g, g, p->c[k]);
-    if (p->n >= 0 && mpz_sgn(p->c[p->n]) < 0) mpz_neg(g, g);
-    for (int k = 0; k <= p->n; k++) mpz_divexact(p->c[k], p->c[k], g);
-    mpz_clear(g);
+    exact_primitive(p->c, p->n);
+    for (int k = 0, negate = p->n >= 0 && mpz_sgn(p->c[p->n]) < 0; k <= p->n && negate; k++)
+        mpz_neg(p->c[k], p->c[k]);
 }
 
-/* Euclid's algorithm, each remainder made primitive: a becomes the primitive gcd, b becomes 0. */
+/* a becomes the primitive gcd, b becomes 0. */
 static inline void exact_zpoly_euclid(exact_zpoly *a, exact_zpoly *b) {
-    mpz_t top;
-    mpz_init(top);
-    while (b->n >= 0) {
-        while (a->n >= b->n) {
-            int shift = a->n - b->n;
-            mpz_set(top, a->c[a->n]);
-            for (int k = 0; k <= a->n; k++) mpz_mul(a->c[k], a->c[k], b->c[b->n]);
-            for (int k = 0; k <= b->n; k++) mpz_submul(a->c[k + shift], top, b->c[k]);
-            exact_zpoly_trim(a);
-            exact_zpoly_primitive(a);
-        }
-        exact_zpoly *t = exact_zpoly_new();
-        exact_zpoly_set(t, a), exact_zpoly_set(a, b), exact_zpoly_set(b, t);
-        exact_zpoly_free(t);
-    }
+    if (a->n < 0) exact_zpoly_set(a, b);
+    if (b->n >= 0) a->n = exact_gcd(a->c, a->c, a->n, b->c, b->n);
+    b->n = -1;
     exact_zpoly_primitive(a);
-    mpz_clear(top);
 }
 
 static inline int exact_zpoly_equal(const exact_zpoly *a, const exact_zpoly *b) {

@@ -122,7 +122,6 @@ TEST(test_conditions) {
         rounds[kind]++;
     }
     assert_true(shared[0] > 1500 && rounds[1] > 1500 && rounds[2] > 1500);
-    known_free(k), known_free(q);
 }
 
 /* p = q r, as where a surface contains its extent's boundary; and constants. */
@@ -143,5 +142,4 @@ TEST(test_factor) {
         judge(k, q->p, 0, 1, i);
     }
     assert_true(shared >= 1000);
-    known_free(k), known_free(q);
 }

@@ -223,7 +223,6 @@ TEST(test_products) {
     }
     printf("products: %d roots, %d of them multiple, %d intervals without, %d ends\n", inside, multiple, none,
            ends);
-    known_free(k);
     assert_true(inside > 2000 && multiple > 1500 && none > 300 && ends > 100);
 }
 
@@ -265,7 +264,6 @@ TEST(test_gaps) {
                     counted < 500 + 60 * (size_t)i); /* zooms: halvings alone would take 2000 */
     }
     assert_true(found > 800);
-    known_free(k);
 }
 
 /* Gaps in higher degrees, which discs about all roots part: simple roots and multiple ones, intervals that
@@ -286,7 +284,6 @@ TEST(test_gaps_of_many) {
             i % 2 ? judge(k, -4, fmin(-1, hi), hi, "gaps of many", i) : judge_line(k, 0, "gaps of many", i);
     }
     assert_true(found > 300);
-    known_free(k);
 }
 
 /* Clusters: several roots within 2^-bits, simple ones or with multiplicities. */
@@ -309,7 +306,6 @@ TEST(test_clusters) {
         double at = mpq_get_d(k->x);
         judge(k, -10, at - 0x1p-12, at + 0x1p-13, "clusters, short", i);
     }
-    known_free(k);
 }
 
 /* A root with two complex ones as near to it as the next doubles: cells between neighbours. */
@@ -330,7 +326,6 @@ TEST(test_near_doubles) {
         judge(k, 0, i % 2 ? -HUGE_VAL : at - fabs(at) * 0x1p-40, i % 2 ? HUGE_VAL : at + fabs(at) * 0x1p-38,
               "near", i);
     }
-    known_free(k);
 }
 
 /* The piece of an interval has it inside, whatever the sizes of its ends, and is on its side of 0. */
@@ -385,7 +380,6 @@ TEST(test_cuts) {
         found += judge(k, random_int(&seed, 9) - 4, lo, hi, "cuts", i);
     }
     assert_true(found > 1000);
-    known_free(k);
 }
 
 /* Roots over and beyond the whole range of doubles, subnormal, and intervals of every size. */
@@ -420,7 +414,6 @@ TEST(test_scales) {
         if (isfinite(at)) judge(k, unit, at, nextafter(at, HUGE_VAL), "scales, neighbours", i);
     }
     assert_often(huge > 30 && tiny > 60);
-    known_free(k);
 }
 
 /* Tiny intervals far from 0 that hold roots closer than that. */
@@ -445,7 +438,6 @@ TEST(test_far) {
         judge(k, 0, at - width, at + width, "far, other side", i);
     }
     assert_true(found > 100);
-    known_free(k);
 }
 
 /* ---- sizes far apart ---- */
@@ -541,7 +533,6 @@ TEST(test_powers) {
         known_add(k, k->x, i < 3 ? 4 : i);
     }
     judge_line(k, 0, "staircase", 0);
-    known_free(k);
 }
 
 TEST(test_wilkinson) {
@@ -556,7 +547,6 @@ TEST(test_wilkinson) {
         judge(k, 0, 1, n, "Wilkinson", n);
         judge(k, 2, 1.5, n - 0.5 > 1.5 ? n - 0.5 : 2, "Wilkinson", n);
     }
-    known_free(k);
 }
 
 /* ---- as many roots as the degree, each shown by a change of sign ---- */
@@ -756,5 +746,4 @@ TEST(test_memory) {
         judge_limits(k, words[i % 4], i % 2 ? 88 : 504);
     }
     assert_true(tried > 100);
-    known_free(k);
 }
