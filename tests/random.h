@@ -40,8 +40,18 @@ static inline double random_between(uint64_t *state, double lo, double hi) {
     return lo + (hi - lo) * 0.5 * (1 + random_unit(state));
 }
 
+/* Of at most `bits` bits, in [-1,1]. */
+static inline double random_short(uint64_t *state, int bits) {
+    return ldexp(floor(ldexp(random_unit(state), bits)), -bits);
+}
+
 /* Uniform in 0 .. n-1. */
 static inline int random_int(uint64_t *state, int n) { return (int)(random_bits(state) % (uint64_t)n); }
+
+/* A multiple of 1/2, at most `most` in size. */
+static inline double random_halves(uint64_t *state, int most) {
+    return 0.5 * (random_int(state, 4 * most + 1) - 2 * most);
+}
 
 /* A full random mantissa and sign, the exponent uniform in [low,high]; ldexp rounds into the subnormals. */
 static inline double random_wide(uint64_t *state, int low, int high) {

@@ -31,6 +31,15 @@ static inline algsurf_picture planes_of(picture *p, int row) {
 
 static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
 static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.2, 0, 0}};
+static const algsurf_material plain = {.size = sizeof plain,
+                                       .outside = {0.9, 0.5, 0.3},
+                                       .inside = {0.2, 0.4, 0.8},
+                                       .diffuse = 0.6,
+                                       .ambient = 0.2,
+                                       .fill = 0.15,
+                                       .specular = 0.4,
+                                       .roughness = 0.25,
+                                       .haze = 0.3};
 
 static inline algsurf_surface *torus(void) { return surface_of("(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)"); }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "algsurf/shade.h"
+#include "random.h"
 
 static inline double reference_dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -112,6 +113,16 @@ static inline void reference_preview(const algsurf_lighting *lighting, const dou
         double c = reference_base(&p, i, e);
         colour[i] = c + (p.base[i] - c) * 0.3 * reference_haze(lighting, &p);
     }
+}
+
+/* Of length 1. */
+static inline void random_direction(uint64_t *state, double v[3]) {
+    double length;
+    do {
+        for (int i = 0; i < 3; i++) v[i] = random_unit(state);
+        length = sqrt(reference_dot(v, v));
+    } while (!(length > 0.1 && length < 1));
+    for (int i = 0; i < 3; i++) v[i] /= length;
 }
 
 #endif

@@ -33,30 +33,25 @@ static const char tangle[] = "x^4 + y^4 + z^4 - 5 (x^2 + y^2 + z^2) + 11.8 = 0";
 
 /* ---- single rays ---- */
 
-/* A multiple of 1/2, at most `most` in size. */
-static double short_number(uint64_t *seed, int most) {
-    return 0.5 * (random_int(seed, 4 * most + 1) - 2 * most);
-}
-
 static void set_direction(double v[3], uint64_t *seed) {
     do {
-        for (int i = 0; i < 3; i++) v[i] = random_int(seed, 2) ? short_number(seed, 2) : 0;
+        for (int i = 0; i < 3; i++) v[i] = random_int(seed, 2) ? random_halves(seed, 2) : 0;
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
 }
 
 static void set_ray(algsurf_ray *ray, uint64_t *seed) {
-    for (int i = 0; i < 3; i++) ray->origin[i] = short_number(seed, 3);
+    for (int i = 0; i < 3; i++) ray->origin[i] = random_halves(seed, 3);
     set_direction(ray->direction, seed);
     if (random_int(seed, 4) == 0) /* any numbers */
         for (int i = 0; i < 3; i++) ray->direction[i] += random_unit(seed);
     ray->t_min = random_int(seed, 3) ? 0 : -INFINITY;
-    ray->t_max = random_int(seed, 3) ? INFINITY : 4 + short_number(seed, 3);
+    ray->t_max = random_int(seed, 3) ? INFINITY : 4 + random_halves(seed, 3);
 }
 
 static void set_planes(algsurf_plane *planes, size_t count, uint64_t *seed) {
     for (size_t k = 0; k < count; k++) {
         int scale = random_int(seed, 8) ? 0 : random_int(seed, 600) - 300;
-        double offset = short_number(seed, 3);
+        double offset = random_halves(seed, 3);
         set_direction(planes[k].normal, seed);
         if (random_int(seed, 4) == 0) offset = nextafter(offset, 100 * random_unit(seed));
         planes[k].offset = ldexp(offset, scale);
@@ -78,8 +73,8 @@ static const algsurf_extent *some_extent(algsurf_extent *extent, uint64_t *seed)
     if (kind == ALGSURF_EXTENT_ALL) return NULL;
     extent->kind = kind;
     for (int i = 0; i < 3; i++) {
-        extent->centre[i] = short_number(seed, 1);
-        extent->size[i] = 2 + fabs(short_number(seed, 2));
+        extent->centre[i] = random_halves(seed, 1);
+        extent->size[i] = 2 + fabs(random_halves(seed, 2));
     }
     return extent;
 }

@@ -18,6 +18,15 @@ typedef struct bench {
     algsurf_memory_mark empty;
 } bench;
 
+static void close_bench(void *made) {
+    bench *t = made;
+    exact_zpoly_free(t->a), exact_zpoly_free(t->b), exact_zpoly_free(t->f);
+    exact_zpoly_free(t->g), exact_zpoly_free(t->u), exact_zpoly_free(t->t);
+    exact_zpoly_free(t->v);
+    free(t);
+}
+
+/* Until the test ends. */
 static bench *open_bench(uint64_t seed) {
     bench *t = malloc(sizeof *t);
     if (!t) abort();
@@ -27,14 +36,7 @@ static bench *open_bench(uint64_t seed) {
     t->v = exact_zpoly_new();
     algsurf_memory_begin(&t->m, t->stack, sizeof t->stack / sizeof *t->stack, (size_t)1 << 30);
     t->empty = algsurf_memory_here(&t->m);
-    return t;
-}
-
-static void close_bench(bench *t) {
-    exact_zpoly_free(t->a), exact_zpoly_free(t->b), exact_zpoly_free(t->f);
-    exact_zpoly_free(t->g), exact_zpoly_free(t->u), exact_zpoly_free(t->t);
-    exact_zpoly_free(t->v);
-    free(t);
+    return unit_keep(t, close_bench);
 }
 
 static void failed(const bench *t, const char *what, int round) {
@@ -111,7 +113,6 @@ TEST(test_products) {
         judge(t, 0, i);
     }
     assert_true(constant > 100 && proper > 500 && wide > 50);
-    close_bench(t);
 }
 
 /* With a': products of powers, and squarefree ones. */
@@ -133,7 +134,6 @@ TEST(test_with_derivative) {
         if (i % 4 == 0) judge(t, 0, i); /* the same, the derivative given */
     }
     assert_true(squarefree > 20 && powers > 100 && mixed > 300);
-    close_bench(t);
 }
 
 /* Leading coefficients that are multiples of the first primes, and roots that agree modulo these. */
@@ -173,7 +173,6 @@ TEST(test_unlucky_primes) {
         judge(t, 1, i);
     }
     mpz_clear(p);
-    close_bench(t);
 }
 
 /* b divides a, a divides b, both the same. */
@@ -190,7 +189,6 @@ TEST(test_divisors) {
         exact_zpoly_set(t->u, t->a), exact_zpoly_set(t->a, t->b), exact_zpoly_set(t->b, t->u);
         judge(t, 0, i);
     }
-    close_bench(t);
 }
 
 TEST(test_constants_and_zero) {
@@ -202,7 +200,6 @@ TEST(test_constants_and_zero) {
         euclid(t);
         judge(t, 0, i);
     }
-    close_bench(t);
 }
 
 /* With every limit of memory either the right answer or none. */
@@ -229,7 +226,6 @@ TEST(test_out_of_memory) {
     }
     assert_true(failures > 20 && successes > 20);
     free(a.c);
-    close_bench(t);
 }
 
 /* A large one: degree 512, in blocks that are allocated. */
@@ -247,5 +243,4 @@ TEST(test_large) {
     mpz_set_ui(t->a->c[0], 1);
     exact_zpoly_multiply(t->a, t->a, t->b);
     judge(t, 1, 1);
-    close_bench(t);
 }

@@ -17,15 +17,11 @@ static const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier 
 static intersect_case c;
 static intersect_answer answer;
 
-static double short_number(uint64_t *seed, int bits) {
-    return ldexp(floor(ldexp(random_unit(seed), bits)), -bits);
-}
-
 static void ray_in_plane(uint64_t *seed, int bits) {
     double eye = random_int(seed, 2) ? 4 : 0;
-    for (int i = 0; i < 2; i++) c.ray.direction[i] = short_number(seed, bits);
+    for (int i = 0; i < 2; i++) c.ray.direction[i] = random_short(seed, bits);
     if (c.ray.direction[0] == 0) c.ray.direction[0] = 1;
-    for (int i = 0; i < 2; i++) c.ray.origin[i] = short_number(seed, bits) - eye * c.ray.direction[i];
+    for (int i = 0; i < 2; i++) c.ray.origin[i] = random_short(seed, bits) - eye * c.ray.direction[i];
     c.ray.origin[2] = ldexp(1, -10 - random_int(seed, 76));
     c.ray.direction[2] = 0;
     c.ray.t_min = random_int(seed, 3) ? 0 : -1;
@@ -147,7 +143,7 @@ TEST(random_rays) {
         for (int k = 0; k < 4; k++) {
             int bits = k % 2 ? 3 : 1;
             ray_in_plane(&seed, bits);
-            c.ray.direction[2] = short_number(&seed, bits), c.ray.origin[2] = short_number(&seed, bits);
+            c.ray.direction[2] = random_short(&seed, bits), c.ray.origin[2] = random_short(&seed, bits);
             intersect_judge(&c, NULL, &answer);
             rays++;
             for (int h = 0; h < answer.count; h++) multiple += answer.all[h].multiplicity != 1;

@@ -12,16 +12,11 @@
 static intersect_case c;
 static intersect_answer answer;
 
-/* Numbers of at most `bits` bits. */
-static double short_number(uint64_t *seed, int bits) {
-    return ldexp(floor(ldexp(random_unit(seed), bits)), -bits);
-}
-
 static void random_ray(uint64_t *seed, int bits) {
     double eye = random_int(seed, 4) ? 4 : 0;
     for (int i = 0; i < 3; i++) {
-        c.ray.direction[i] = random_int(seed, 8) ? short_number(seed, bits) : 0;
-        c.ray.origin[i] = short_number(seed, bits);
+        c.ray.direction[i] = random_int(seed, 8) ? random_short(seed, bits) : 0;
+        c.ray.origin[i] = random_short(seed, bits);
     }
     if (c.ray.direction[0] == 0 && c.ray.direction[1] == 0) c.ray.direction[2] = 1;
     for (int i = 0; i < 3; i++) c.ray.origin[i] -= eye * c.ray.direction[i];

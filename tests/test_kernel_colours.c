@@ -55,12 +55,6 @@ static void run(const char *name, const algsurf_i_colour_job *job, batch *b, int
         ->colours(job, &looks, count, visible, rgb, bytes);
 }
 
-static void random_direction(uint64_t *state, double v[3]) {
-    do
-        for (int i = 0; i < 3; i++) v[i] = random_unit(state);
-    while (!(algsurf_dot(v, v) > 0.01) || !algsurf_unit(v, v));
-}
-
 /* One normal in eight is 0, one share in three 0, one in three 1; one point in sixteen is far outside. */
 static void random_batch(batch *b, const algsurf_i_colour_job *job, uint64_t *state) {
     const algsurf_i_looks looks = looks_of(b, 0);

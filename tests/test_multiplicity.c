@@ -17,19 +17,21 @@ typedef struct bench {
     algsurf_memory m;
 } bench;
 
+static void close_bench(void *made) {
+    bench *t = made;
+    exact_zpoly_free(t->p), exact_zpoly_free(t->f), exact_zpoly_free(t->s), exact_zpoly_free(t->t);
+    for (int i = 0; i < MOST; i++) exact_zpoly_free(t->wanted[i]);
+    free(t);
+}
+
+/* Until the test ends. */
 static bench *open_bench(uint64_t seed) {
     bench *t = malloc(sizeof *t);
     if (!t) abort();
     *t = (bench){.seed = seed};
     t->p = exact_zpoly_new(), t->f = exact_zpoly_new(), t->s = exact_zpoly_new(), t->t = exact_zpoly_new();
     for (int i = 0; i < MOST; i++) t->wanted[i] = exact_zpoly_new();
-    return t;
-}
-
-static void close_bench(bench *t) {
-    exact_zpoly_free(t->p), exact_zpoly_free(t->f), exact_zpoly_free(t->s), exact_zpoly_free(t->t);
-    for (int i = 0; i < MOST; i++) exact_zpoly_free(t->wanted[i]);
-    free(t);
+    return unit_keep(t, close_bench);
 }
 
 static void begin(bench *t, long content) {
@@ -101,7 +103,6 @@ TEST(test_products) {
         judge(t, i);
     }
     assert_true(squarefree > 50 && uniform > 100 && mixed > 200);
-    close_bench(t);
 }
 
 TEST(test_powers) {
@@ -112,7 +113,6 @@ TEST(test_powers) {
         join(t, 2 + random_int(&t->seed, MOST - 2) % (i % 4 == 3 ? 16 : MOST - 2));
         if (t->count) judge(t, i);
     }
-    close_bench(t);
 }
 
 /* (1 - x)^512, and prod (x - i)^i for i to 30. */
@@ -143,7 +143,6 @@ TEST(test_large) {
         join(t, i);
     }
     judge(t, 0);
-    close_bench(t);
 }
 
 TEST(test_constants) {
@@ -158,7 +157,6 @@ TEST(test_constants) {
         assert_int_equal(count, 0);
         free(p.c);
     }
-    close_bench(t);
 }
 
 /* With every limit of memory either the right answer or none, and nothing is left behind. */
@@ -184,5 +182,4 @@ TEST(test_out_of_memory) {
     }
     if (failures < 20 || successes < 20) fail_msg("%d failures, %d successes", failures, successes);
     free(p.c);
-    close_bench(t);
 }

@@ -192,13 +192,9 @@ static int is_near_plane(const algsurf_plane *plane, const algsurf_ray *ray, dou
 
 /* ---- cases ---- */
 
-static double short_number(uint64_t *seed, int most) {
-    return 0.5 * (random_int(seed, 4 * most + 1) - 2 * most);
-}
-
 static void set_direction(double v[3], uint64_t *seed) {
     do {
-        for (int i = 0; i < 3; i++) v[i] = random_int(seed, 3) ? short_number(seed, 2) : 0;
+        for (int i = 0; i < 3; i++) v[i] = random_int(seed, 3) ? random_halves(seed, 2) : 0;
     } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
     if (random_int(seed, 2))
         for (int i = 0; i < 3; i++) v[i] += random_unit(seed);
@@ -209,20 +205,20 @@ static void set_case(region_case *c, uint64_t *seed) {
     double far = random_int(seed, 3) ? 1 : pow(10, random_int(seed, 12));
     c->extent = (algsurf_extent){.kind = random_int(seed, 3)};
     for (int i = 0; i < 3; i++) {
-        c->extent.centre[i] = short_number(seed, 1);
-        c->extent.size[i] = 0.5 + fabs(short_number(seed, 2)) + (far > 1 ? fabs(random_unit(seed)) : 0);
-        c->ray.origin[i] = short_number(seed, 3);
+        c->extent.centre[i] = random_halves(seed, 1);
+        c->extent.size[i] = 0.5 + fabs(random_halves(seed, 2)) + (far > 1 ? fabs(random_unit(seed)) : 0);
+        c->ray.origin[i] = random_halves(seed, 3);
     }
     set_direction(c->ray.direction, seed);
     for (int i = 0; i < 3 && far > 1; i++) c->ray.origin[i] -= far * c->ray.direction[i];
     c->ray.t_min = random_int(seed, 3) ? 0 : -INFINITY;
-    c->ray.t_max = random_int(seed, 3) ? INFINITY : far + short_number(seed, 3);
+    c->ray.t_max = random_int(seed, 3) ? INFINITY : far + random_halves(seed, 3);
     c->count = (size_t)random_int(seed, random_int(seed, 4) ? 3 : ALGSURF_MAX_CLIP_PLANES + 1);
     for (size_t k = 0; k < c->count; k++) {
         int scale = random_int(seed, 8) ? 0 : random_int(seed, 600) - 300;
         set_direction(c->planes[k].normal, seed);
         for (int i = 0; i < 3; i++) c->planes[k].normal[i] = ldexp(c->planes[k].normal[i], scale);
-        c->planes[k].offset = ldexp(short_number(seed, 3), scale);
+        c->planes[k].offset = ldexp(random_halves(seed, 3), scale);
     }
 }
 

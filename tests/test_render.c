@@ -15,16 +15,6 @@
 #include "render_case.h"
 #include "shade_reference.h"
 
-static const algsurf_material plain = {.size = sizeof plain,
-                                       .outside = {0.9, 0.5, 0.3},
-                                       .inside = {0.2, 0.4, 0.8},
-                                       .diffuse = 0.6,
-                                       .ambient = 0.2,
-                                       .fill = 0.15,
-                                       .specular = 0.4,
-                                       .roughness = 0.25,
-                                       .haze = 0.3};
-
 static uint8_t byte_of(const picture *p, int pixel, int channel) {
     return p->bytes[pixel / W * STRIDE + pixel % W * 3 + channel];
 }

@@ -57,15 +57,6 @@ static int agrees(double t, const algsurf_hit *hit) {
 
 /* Bytes and hits from the public single steps. */
 TEST(pixel_by_pixel) {
-    const algsurf_material plain = {.size = sizeof plain,
-                                    .outside = {0.9, 0.5, 0.3},
-                                    .inside = {0.2, 0.4, 0.8},
-                                    .diffuse = 0.6,
-                                    .ambient = 0.2,
-                                    .fill = 0.15,
-                                    .specular = 0.4,
-                                    .roughness = 0.25,
-                                    .haze = 0.3};
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7},    {1, 0, 0}, {0, 1, 0}, 4,

@@ -200,15 +200,6 @@ TEST(preview) {
 
 static double share(uint64_t *state) { return fabs(random_unit(state)); }
 
-static void random_direction(uint64_t *state, double v[3]) {
-    double length;
-    do {
-        for (int i = 0; i < 3; i++) v[i] = random_unit(state);
-        length = sqrt(reference_dot(v, v));
-    } while (!(length > 0.1 && length < 1));
-    for (int i = 0; i < 3; i++) v[i] /= length;
-}
-
 /* All that a colour depends on. */
 typedef struct random_case {
     algsurf_material material;
