@@ -1,4 +1,4 @@
-/* intersect_case.h - judges what intersect says about one surface, released when the test ends, and one ray. */
+/* intersect_case.h - judges what intersect says about a surface, which the test's end releases, and a ray. */
 #ifndef INTERSECT_CASE_H
 #define INTERSECT_CASE_H
 #include "exact_hits.h"

@@ -4,7 +4,6 @@
  */
 #include "equation_case.h"
 
-
 static const char *const written[][2] = {
     {"T_0(x)+U_0(y)+P_0(z)+x", "3+x"},
     {"T_1(x)+U_1(y)+P_1(z)", "x+2y+z"},

@@ -149,8 +149,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Radius over u (4 n + 8) (exact sum of magnitudes), the median and the largest over all coefficients: so many
- * roundings are counted, and 1 is what they should be. */
+/* Radius over u (4 n + 8) (exact sum of magnitudes), the median and the largest over all coefficients: so
+ * many roundings are counted, and 1 is what they should be. */
 TEST(test_radii_are_small) {
     static double ratio[4000];
     uint64_t seed = SEED;

@@ -19,7 +19,8 @@ static void judge(const char *name, const poly *p, const poly *const *factor, co
     static algsurf_integer z[MOST + 1];
     int count = -1;
     integers((mpz_t *)p->re, p->degree, z);
-    algsurf_status status = algsurf_real_roots_integers(z, p->degree, -HUGE_VAL, HUGE_VAL, root, MOST, &count);
+    algsurf_status status =
+        algsurf_real_roots_integers(z, p->degree, -HUGE_VAL, HUGE_VAL, root, MOST, &count);
     if (status != ALGSURF_OK || count != real)
         fail_msg("%s, degree %d: status %d, %d roots, not %d", name, p->degree, status, count, real);
     for (int i = 0, next; i < count; i = next) {
@@ -33,8 +34,8 @@ static void judge(const char *name, const poly *p, const poly *const *factor, co
         }
         int good = next == i + 1 ? told == known : told % 2 == known % 2; /* several between two doubles */
         if (!good || (i > 0 && root[i - 1].hi > r->lo))
-            fail_msg("%s, degree %d: root %d of multiplicity %d in [%a,%a]: it is %d", name, p->degree, i, told,
-                     r->lo, r->hi, known);
+            fail_msg("%s, degree %d: root %d of multiplicity %d in [%a,%a]: it is %d", name, p->degree, i,
+                     told, r->lo, r->hi, known);
         assert_true(r->lo <= r->root && r->root <= r->hi && r->hi <= nextafter(r->lo, HUGE_VAL));
     }
 }

@@ -2,11 +2,11 @@
  * long it takes.
  *
  * Surfaces for which a view once took seconds, or showed something else than the surface.  Each has the
- * radius that its ball must have, or half the edge of its box, and the share of the picture's pixels that must show something.  Then the
- * times of all famous surfaces (tests/data/famous.tsv), of which the worst is printed.
+ * radius that its ball must have, or half the edge of its box, and the share of the picture's pixels that
+ * must show something.  Then the times of all famous surfaces (tests/data/famous.tsv); the worst is printed.
  *
- * Breaks caught, each tried: a ball about a surface of degree 64; glances that go to integers; no probes; a point's own box as extent; the usual
- * side for a plane; no look for a part by itself.
+ * Breaks caught, each tried: a ball about a surface of degree 64; glances that go to integers; no probes; a
+ * point's own box as extent; the usual side for a plane; no look for a part by itself.
  */
 #include "unit.h"
 

@@ -728,7 +728,8 @@ TEST(test_kernel_names) {
     assert_null(algsurf_kernel_name(-1));
     options.kernel = "sse9";
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &options, &hit), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_all(surface, NULL, &ray, &options, &hit, 1, &room), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(surface, NULL, &ray, &options, &hit, 1, &room),
+                     ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded(surface, NULL, &ray, &options, &occluded), ALGSURF_E_ARGUMENT);
 }
 

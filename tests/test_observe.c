@@ -356,7 +356,8 @@ TEST(rays_are_watched) {
             assert_true(watch_ray(&s, how) <= ALGSURF_ENGINE_DOUBLES);
         }
     }
-    assert_true(random_salt || (decided[ALGSURF_ENGINE_DOUBLES] > 50 && decided[ALGSURF_ENGINE_INTEGERS] > 10));
+    assert_true(random_salt ||
+                (decided[ALGSURF_ENGINE_DOUBLES] > 50 && decided[ALGSURF_ENGINE_INTEGERS] > 10));
 }
 
 /* Where rays go side by side nobody can watch. */

@@ -5,7 +5,6 @@
  * as plain Horner's fail the tightness tests), a weight of the wrong index in the Bernstein scheme. */
 #include "exact.h"
 
-
 #include "algsurf/poly.h"
 #include "environments.h"
 

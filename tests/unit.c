@@ -1,4 +1,4 @@
-/* unit.c - the list of a program's tests, in the order in which they stand, and of what the one that runs has made. */
+/* unit.c - the list of a program's tests, as they stand, and of what the one that runs has made. */
 #include "unit.h"
 
 enum { MOST = 64 };
