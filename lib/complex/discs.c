@@ -210,9 +210,10 @@ static int try_doubles(algsurf_i_discs *d) {
     const algsurf_i_flat *p = &d->p->flat;
     const size_t n = (size_t)d->n;
     algsurf_memory_mark mark = algsurf_memory_here(d->m);
-    double *x = algsurf_i_take(d->m, 5 * n * sizeof *x), *y = x + n, *re = y + n, *im = re + n, *sum = im + n;
+    double *x = algsurf_i_take(d->m, 5 * n * sizeof *x);
     int *who = algsurf_i_take(d->m, n * sizeof *who), count = 0;
     if (!x || !who) return 0;
+    double *y = x + n, *re = y + n, *im = re + n, *sum = im + n;
     for (int i = 0; i < d->n; i++) {
         const algsurf_i_disc *root = d->root + i;
         const algsurf_scaled at = root->z.head;

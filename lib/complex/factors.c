@@ -64,8 +64,8 @@ static int is_no_root(algsurf_i_sums *sums, const algsurf_i_integers *h, const a
     return 1;
 }
 
-/* The roots' multiplicities, k of each and its conjugate together, by the first derivatives h of p; *told:
- * they are known. */
+/* The roots' multiplicities, k of each and its conjugate together, by p and its derivatives h, of which the
+ * last is constant; *told: they are known. */
 static int set_multiplicities(algsurf_i_discs *d, int k, const algsurf_i_integers *h, int *told) {
     *told = 1;
     for (int i = 0; i < d->n && *told; i++) {

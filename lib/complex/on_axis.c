@@ -35,8 +35,9 @@ static int set_interval(algsurf_i_discs *d, int i, algsurf_i_root_on_axis *at, i
     if (!*done) return 1;
     int64_t low = exact ? x.exponent : R.exponent - 10, up = x.exponent - low > 0 ? x.exponent - low : 0;
     int w = x.w + (int)(up / 64) + 2;
-    algsurf_limb *a = algsurf_memory_take(d->m, 2 * (size_t)w), *b = a + w;
+    algsurf_limb *a = algsurf_memory_take(d->m, 2 * (size_t)w);
     if (!a) return 0;
+    algsurf_limb *b = a + w;
     algsurf_z_zero(a, 2 * w);
     algsurf_i_add_shifted(a, w, x.x, x.w, x.exponent - low);
     *at = (algsurf_i_root_on_axis){a, exact ? NULL : b, w, (int)-low};

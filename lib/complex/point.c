@@ -155,8 +155,9 @@ int algsurf_i_exact_difference(algsurf_memory *m, const algsurf_i_point *a, cons
     if (up > MOST_BITS) return 0;
     int w = (a->w > b->w ? a->w : b->w) + (int)(up / 64) + 2;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    algsurf_limb *x = algsurf_memory_take(m, 2 * (size_t)w), *y = x + w;
+    algsurf_limb *x = algsurf_memory_take(m, 2 * (size_t)w);
     if (!x) return 0;
+    algsurf_limb *y = x + w;
     algsurf_z_zero(x, 2 * w);
     algsurf_i_add_shifted(x, w, b->x, b->w, b->exponent - low);
     algsurf_i_add_shifted(y, w, b->y, b->w, b->exponent - low);

@@ -148,8 +148,9 @@ int algsurf_exact_cell_place(algsurf_memory *m, const algsurf_exact_cells *cells
     const algsurf_exact_piece *piece = &cells->piece;
     int shift = cell->depth + cell->fine, w = algsurf_z_width(shift + piece->length + 64 + 2);
     int up = cell->fine + piece->length;
-    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w), *b = a + w, *position = b + w;
+    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w);
     if (!a) return 0;
+    algsurf_limb *b = a + w, *position = b + w;
     algsurf_z_set(a, w, piece->at);
     algsurf_z_shift_up(a, w, shift);
     algsurf_z_copy(position, w, cell->position, cell->position_width);

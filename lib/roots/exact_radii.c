@@ -245,9 +245,7 @@ static int find_separating(const set *s, const algsurf_zpoly *slope, double lo, 
     return 1;
 }
 
-/* May a member have a double root in [lo,hi]?  *may is set, or it is not, and *parts if several m were
- * needed.
- */
+/* May a member have a double root in [lo,hi]?  *may is set, or it is not; *parts: several m were needed. */
 static int ask_for_double(const set *s, const algsurf_zpoly *slope, double lo, double hi, int rounds,
                           int *parts, int *may) {
     algsurf_memory_mark mark = algsurf_memory_here(s->memory);

@@ -154,8 +154,9 @@ int algsurf_exact_signs(algsurf_memory *m, const algsurf_zpoly *p, const algsurf
 int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_place *place, int before) {
     int of_a = algsurf_z_bits(place->a, place->width), of_b = algsurf_z_bits(place->b, place->width), sign;
     int w = algsurf_z_width((of_a > of_b ? of_a : of_b) + 2);
-    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w), *b = a + w, *middle = b + w;
+    algsurf_limb *a = algsurf_memory_take(m, 3 * (size_t)w);
     if (!a) return 0;
+    algsurf_limb *b = a + w, *middle = b + w;
     algsurf_z_copy(a, w, place->a, place->width);
     algsurf_z_copy(b, w, place->b, place->width);
     algsurf_z_copy(middle, w, a, w);

@@ -32,8 +32,7 @@ algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx
     algsurf_i_roots_single_baseline;
 
 typedef struct algsurf_i_roots_kernel {
-    /* state and root; of an undecided polynomial only the state means something.  Returns 0 if there is none.
-     */
+    /* state and root; of an undecided polynomial only the state counts.  Returns 0 if there is none. */
     int (*solve)(const algsurf_i_polys_job *job);
     /* roots and found, of polynomials without radii. */
     void (*solve_all)(const algsurf_i_polys_job *job);
