@@ -11,8 +11,8 @@
  *     first and all roots of batches                 2 to 6, 8, 10    batches 1.33
  *     walk of a single polynomial or ray             2 to 6, 8, 10    isolation 1.18, rays 1.10
  *     complex rows                                   2 3 4 6          complex space 1.20
- *     complex boxes                                  3 4              batches 1.05
- *     complex boxes of one polynomial                3 4 6 10         its roots 1.05; of degree 6 and 10 1.17
+ *     complex boxes                                  3 4              batches 1.13
+ *     complex boxes of one polynomial                3 4 6 10         its roots 1.34, 6 and 10 1.20
  *
  * It does not in the search of tiles, and on x86's baseline, which processors before 2013 have need of. */
 #ifndef ALGSURF_DEGREES_H
