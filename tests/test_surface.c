@@ -73,6 +73,16 @@ TEST(test_unit) {
     }
 }
 
+/* The unit is that of the surface, whatever power of two its equation is multiplied by.  Catches: exponents
+ * added to the sums' logarithms before these are compared, which rounds to another unit where two are as
+ * near. */
+TEST(test_unit_of_multiples) {
+    for (int e = -900; e <= 900; e++) {
+        const algsurf_term term[] = {{3, 0, 0, ldexp(5, e)}, {1, 0, 0, ldexp(10, e)}};
+        assert_int_equal(surface_of_terms(term, 2)->unit, 0);
+    }
+}
+
 /* Catches: an unstable sort, merging in another order, zero terms kept. */
 TEST(test_merging) {
     const algsurf_term in[] = {{1, 0, 0, 1}, {0, 0, 2, 3},  {1, 0, 0, 0x1p53}, {0, 4, 0, -1}, {1, 0, 0, 1},

@@ -114,10 +114,10 @@ static void summarise(const algsurf_surface *s, degree_summary of[ALGSURF_MAX_DE
 
 /* The nearest integer to log2(rho), 0 when there are no lower terms. */
 static int balanced_unit(const degree_summary *of, int n) {
-    double highest = of[n].top + algsurf_i_log2(of[n].sum), largest = -HUGE_VAL;
+    double highest = algsurf_i_log2(of[n].sum), largest = -HUGE_VAL;
     for (int k = 0; k < n; k++) {
         if (of[k].top == INT_MIN) continue;
-        largest = fmax(largest, (of[k].top + algsurf_i_log2(of[k].sum) - highest) / (n - k));
+        largest = fmax(largest, (of[k].top - of[n].top + (algsurf_i_log2(of[k].sum) - highest)) / (n - k));
     }
     return largest > -HUGE_VAL ? (int)lrint(largest) : 0;
 }
