@@ -18,7 +18,7 @@ tick_step ticks_step(double least) {
 double ticks_size(tick_step step) { return step.digit * pow(10, step.exponent); }
 
 static char *put_whole(char *out, long long n) {
-    char digits[TICKS_TEXT];
+    char digits[20]; /* as many as 2^63 has, and one more */
     int count = 0;
     do {
         digits[count++] = (char)('0' + n % 10);
