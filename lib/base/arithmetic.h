@@ -19,6 +19,9 @@
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off", "signed-zeros")
+#if __GNUC__ == 12 && __GNUC_MINOR__ < 3 && (defined(__FMA__) || defined(__ARM_FEATURE_COMPLEX))
+#pragma GCC optimize("no-tree-slp-vectorize") /* which fuses all the same: gcc's bug 107647 */
+#endif
 #endif
 
 #include <float.h>
