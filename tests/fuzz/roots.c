@@ -2,9 +2,13 @@
  *
  * FLAGS: 1: coefficients are pairs re im; 2: each is followed by a radius; 4: real ones go through the call
  * for real polynomials.  BOX is the box to look at where there are many.  A box must hold as many roots as it
- * says, counted exactly (exact_winding.h) in the box widened by next to nothing.
+ * says, counted exactly (exact_winding.h) in the box widened by next to nothing.  The same roots to 100 bits
+ * are in these boxes.
  */
+#include <stdio.h> /* before gmp.h */
 #include <string.h>
+
+#include <gmp.h>
 
 #include "algsurf/batch.h"
 #include "algsurf/intersect.h"
@@ -152,6 +156,65 @@ static void check_packet(const question *q, algsurf_status status, const algsurf
     }
 }
 
+/* ---- the same roots, to more bits ---- */
+
+/* The least bit of a number that is not 0. */
+static int least_bit(double x) { return x == 0 ? INT_MAX : ilogb(x) - 52; }
+
+static void integer_of(double x, int least, mpz_t whole, algsurf_integer *z) {
+    mpz_set_d(whole, x == 0 ? 0 : scalbn(x, -least_bit(x)));
+    if (x != 0) mpz_mul_2exp(whole, whole, (mp_bitcnt_t)(least_bit(x) - least));
+    *z = (algsurf_integer){mpz_limbs_read(whole), mpz_sgn(whole) * (int)mpz_size(whole)};
+}
+
+/* Is the part of a root in the interval, up to roundings? */
+static int is_near(const algsurf_integer *z, int exponent, algsurf_interval in) {
+    long e;
+    mpz_t whole;
+    mpz_init(whole);
+    mpz_import(whole, (size_t)abs(z->length), -1, sizeof *z->limbs, 0, 0, z->limbs);
+    if (z->length < 0) mpz_neg(whole, whole);
+    double x = mpz_get_d_2exp(&e, whole), pad = fmax(0x1p-50 * fmax(fabs(in.lo), fabs(in.hi)), 0x1p-1070);
+    e += exponent;
+    x = ldexp(x, e > 1100 ? 1100 : e < -1200 ? -1200 : (int)e);
+    mpz_clear(whole);
+    return in.lo - pad <= x && x <= in.hi + pad;
+}
+
+static void check_precise(const question *q, const algsurf_complex_root *e, int count) {
+    mpz_t whole[2][TOP + 1];
+    algsurf_integer c[2][TOP + 1];
+    algsurf_precise_roots *roots = NULL;
+    int least = INT_MAX, sum = 0, degree = q->degree;
+    for (int k = 0; k <= q->degree; k++) {
+        if (least_bit(q->c[k].re) < least) least = least_bit(q->c[k].re);
+        if (least_bit(q->c[k].im) < least) least = least_bit(q->c[k].im);
+    }
+    for (int k = 0; k <= q->degree; k++) {
+        mpz_inits(whole[0][k], whole[1][k], NULL);
+        integer_of(q->c[k].re, least, whole[0][k], c[0] + k);
+        integer_of(q->c[k].im, least, whole[1][k], c[1] + k);
+    }
+    while (degree > 0 && q->c[degree].re == 0 && q->c[degree].im == 0) degree--;
+    fuzz_check(algsurf_precise_roots_create(c[0], is_real(q) ? NULL : c[1], q->degree, 100, 0, &roots) ==
+               ALGSURF_OK);
+    for (int i = 0; i < count; i++) {
+        int inside = 0, different = 0, real = 0;
+        algsurf_precise_root r;
+        for (int j = 0; algsurf_precise_roots_get(roots, j, &r) == ALGSURF_OK; j++) {
+            if (i == 0) sum += r.multiplicity;
+            if (!is_near(&r.re, r.exponent, e[i].box.re) || !is_near(&r.im, r.exponent, e[i].box.im))
+                continue;
+            inside += r.multiplicity, different++, real += r.real;
+        }
+        fuzz_check(inside >= e[i].multiplicity);
+        if (different == 1) fuzz_check(inside == e[i].multiplicity && real == e[i].real);
+    }
+    fuzz_check(count == 0 || sum == degree);
+    algsurf_precise_roots_free(roots);
+    for (int k = 0; k <= q->degree; k++) mpz_clears(whole[0][k], whole[1][k], NULL);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_numbers in = fuzz_numbers_of(data, size);
     question q = read_question(&in);
@@ -171,6 +234,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (q.degree > JUDGED || fuzz_span(&q.c[0].re, 2 * q.degree + 2) * q.degree > MOST_BITS) return 0;
     if (exact && is_real(&q)) check_real_roots(&q, e, count);
     check_boxes(&q, q.c, e, count);
+    if (exact) check_precise(&q, e, count);
     algsurf_complex c[TOP + 1];
     for (int up = 0; !exact && up < 2; up++) {
         member(&q, up, c);
