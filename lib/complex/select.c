@@ -92,8 +92,9 @@ static int mirrored(const algsurf_cinterval *a, const algsurf_cinterval *b) {
 }
 
 /* `real`: the roots are those of a real polynomial. */
-static algsurf_status choose(const algsurf_complex_root *roots, int count, int real,
-                             const algsurf_sector *sector, double lo, double hi, int *selected, int *index) {
+static algsurf_status choose_one(const algsurf_complex_root *roots, int count, int real,
+                                 const algsurf_sector *sector, double lo, double hi, int *selected,
+                                 int *index) {
     candidate best = {-1, 0, {0, 0}};
     if (count < 0 || (count > 0 && !roots) || !selected || !index) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(sector);
@@ -128,7 +129,7 @@ static algsurf_status choose(const algsurf_complex_root *roots, int count, int r
                     (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,  \
                      double hi, int *selected, int *index),                                                  \
                     (roots, count, sector, lo, hi, selected, index)) {                                       \
-        return choose(roots, count, real, sector, lo, hi, selected, index);                                  \
+        return choose_one(roots, count, real, sector, lo, hi, selected, index);                              \
     }
 PUBLIC_CHOICE(select, 0)
 PUBLIC_CHOICE(select_of_real, 1)

@@ -215,8 +215,8 @@ static int is_inside(complex_query *q, const algsurf_complex_root *s) {
  * one that holds them, and a root has to be in one that they hold, or to be shown to be inside, to be
  * certain.  Roots that are shown to be outside are taken out of s and local; about one that is inside, the
  * range is as wide as its box. */
-static int choose(complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
-                  int *index) {
+static int choose_least(complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
+                        int *index) {
     const int e = q->frame.exponent;
     const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->chord.inner_lo), e),
                                     algsurf_i_scale_down(fmin(q->ray.t_max, q->chord.inner_hi), e)};
@@ -277,7 +277,7 @@ static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *star
     }
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
     give_roots(q, s, count, roots);
-    const int selected = choose(q, s, local, count, &index);
+    const int selected = choose_least(q, s, local, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
     if (selected == ALGSURF_SELECTED_ONE) {
         hit->state = ALGSURF_STATE_HIT;

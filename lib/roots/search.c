@@ -172,7 +172,7 @@ enum { MEANS = 3 };       /* before a root is taken for one far smaller than its
 #define SURPLUS 0.5       /* landing at +1/2 and then at -1/2 leaves 1 half width, which is less than 2 */
 
 /* The unit in the last place, roughly for the largest doubles. */
-static double unit_of(double x) {
+static double ulp_of(double x) {
     double size = fmin(fabs(x), 0.5 * DBL_MAX);
     return algsurf_i_double_of(algsurf_i_number_of(size) + 1) - size;
 }
@@ -194,7 +194,7 @@ static void guarded_newton(algsurf_i_search *s, const double *newton) {
     if (running(s) && isfinite(s->fc)) (void)step_to(s, chord(s));
     while (running(s)) {
         double half = half_width(s), inward = s->x == s->b ? half : -half;
-        double surplus = SURPLUS * (s->tolerance + unit_of(s->x));
+        double surplus = SURPLUS * (s->tolerance + ulp_of(s->x));
         double step = *newton, length = fabs(step);
         double x = s->x + (step + copysign(surplus, inward));
         int inside = s->b < s->c ? x > s->b && x < s->c : x > s->c && x < s->b;
