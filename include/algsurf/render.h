@@ -105,10 +105,13 @@ ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsu
 /* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: E_ARGUMENT (null, n).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 /* Which pixels get their n x n samples.
- *   threshold  0, the default: all pixels.  0 < threshold <= 1: a pixel whose middle differs in a channel
- *              (0..255; alpha is one of them, even if it is not asked for) by more than 255 times the
- *              threshold from that of the pixel above, below, left or right; and one that shows something
- *              thin (algsurf_scene_set_thin), or that one of these four does
+ *   threshold  0, the default: all pixels.  0 < threshold <= 1: those that show an edge by both of
+ *              - their middle: it differs in a channel (0..255; alpha is one of them, even if it is not asked
+ *                for) by more than 255 times the threshold from that of the pixel above, below, left or
+ *                right; or it, or one of these four, shows something thin (algsurf_scene_set_thin);
+ *              - their four samples in the corners: of these and the middle, some show the surface and others
+ *                do not; or the corners' average differs from the middle in a channel by more than a quarter
+ *                of that
  * Up to degree 12 a pixel is not chosen if it is proved that between its n x n samples there is no point of
  * the surface, or a single sheet.
  * A pixel that is not chosen shows one sample, that in the middle.  With threshold 1, or n = 1, no pixel is
@@ -176,8 +179,8 @@ typedef struct algsurf_render_options {
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
-                             middle of each pixel, and n x n more for each pixel chosen.  Counts are those of
-                             the rows drawn */
+                             middle of each pixel, and n x n more for each pixel chosen, or 4 where corners
+                             were against it.  Counts are those of the rows drawn */
     uint64_t hits;        /* of them, ALGSURF_STATE_HIT */
     uint64_t undecided;   /* of all rays: ALGSURF_STATE_UNDECIDED; drawn like hits, not counted among them */
     uint64_t shadow_rays; /* rays from points of the surface, to samples of lights and around, that were
@@ -226,14 +229,14 @@ typedef enum algsurf_way {
 } algsurf_way;
 
 /* Where a picture goes: arrays in the caller's memory, which do not overlap.  A null array is not asked for;
- * if pixels is null, nothing is shaded.  Each array has an entry for each pixel of the rows drawn, top row
- * first, from left to right.  Rows of pixels are stride bytes apart; those of the other arrays follow each
- * other without a gap.
+ * if pixels is null, nothing is shaded but what a threshold of antialiasing compares.  Each array has an
+ * entry for each pixel of the rows drawn, top row first, from left to right.  Rows of pixels are stride bytes
+ * apart; those of the other arrays follow each other without a gap.
  *     An array's bytes do not depend on which others are asked for.  t, normals and state are those of one
  * sample of the pixel: of the samples that show the surface, an undecided place or something thin, the one
- * with the least t (the first of these, row by row, if several have it).  The ray of sample (j,k) of n x n is
- * that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n).  n is 1 for a pixel that a threshold of
- * antialiasing leaves with one sample. */
+ * with the least t (if several have it the first of these, the corners of the n x n before the others, and
+ * both row by row).  The ray of sample (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y +
+ * (k+0.5)/n).  n is 1 for a pixel that a threshold of antialiasing leaves with one sample. */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* sRGB bytes of the average of the samples' colours (algsurf_srgb_encode) */

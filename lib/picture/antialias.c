@@ -8,8 +8,15 @@
  * middles alone would have, with alpha, whether a byte of it is asked for or not: what is chosen does not
  * hang on which planes are.  Where there are tiles only pixels of leaves are compared: through the
  * others, by proof, no edge goes.
+ *
+ * Of two pixels on either side of an edge at most one is crossed by it as a rule.  So of a wanted pixel the
+ * four samples in its corners come first.  A straight edge that has samples on both sides has corners on
+ * both, since a half-plane that holds a point of the grid holds a corner.  If the corners are on the average
+ * as the middle is, to a quarter of the threshold (one of four differs by the threshold), the pixel shows its
+ * middle.
  */
 #include "../base/arithmetic.h"
+#include <stdlib.h>
 #include <string.h>
 
 #include "impl.h"
@@ -127,4 +134,35 @@ algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row) {
     worker->line.wanted = middles->wanted;
     worker->predictor.row = -1;
     return ALGSURF_OK;
+}
+
+/* The corners of pixel x, which are what it shows so far, are not as its middle is. */
+static int has_edge(const algsurf_i_picture *picture, const algsurf_i_shown *corners,
+                    const algsurf_picture *middle, int x) {
+    const int channels = algsurf_i_channels(middle), hit = middle->state[x] != ALGSURF_STATE_MISS;
+    const int limit = (int)(255 * picture->scene->antialias_threshold / 4);
+    if (corners->samples[x] != (hit ? 4 : 0)) return 1;
+    for (int k = 0; hit && k < 3; k++) {
+        const double light = corners->sum[3 * x + k] / 4;
+        const int byte = algsurf_i_byte_of(picture->curve, light < 1 ? light : 1);
+        if (abs(byte - middle->pixels[channels * x + k]) > limit) return 1;
+    }
+    return 0;
+}
+
+void algsurf_i_keep_apart(algsurf_i_worker *worker, int row) {
+    algsurf_i_middles *middles = &worker->middles;
+    algsurf_i_line *line = &worker->line;
+    double *low = worker->tiling.list_low;
+    int kept = 0;
+    for (int i = 0; i < line->wanted_count; i++) {
+        const int x = line->list[i];
+        if (!has_edge(worker->picture, &line->shown, &middles->shown[row % 3], x)) {
+            middles->wanted[x] = 0;
+            continue;
+        }
+        if (low) low[kept] = low[i];
+        line->list[kept++] = x;
+    }
+    line->wanted_count = kept;
 }

@@ -85,6 +85,7 @@ typedef struct algsurf_i_line {
     int dense;      /* so many samples of a pixel are among the row's, one or all that are side by side */
     int across;     /* samples of a pixel that are side by side; */
     int sample;     /* the row's samples are this one of across x across, row by row, and those that follow */
+    int corners;    /* of these are looked at now: 1, those in a corner of the pixel; 0, the others */
     int thin;       /* 1: what is thin beside them is looked for */
     int count;      /* points: hits and undecided ones */
     int *pixel;     /* of each point its sample of the row; in no particular order */
@@ -103,6 +104,12 @@ typedef struct algsurf_i_line {
 } algsurf_i_line;
 
 #define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
+
+/* Sample k of across x across is looked at now. */
+static inline int algsurf_i_is_in_pass(const algsurf_i_line *line, int k) {
+    const int last = line->across - 1, x = k % line->across, y = k / line->across;
+    return line->corners == ((x == 0 || x == last) && (y == 0 || y == last));
+}
 
 /* Bytes of a pixel, where bytes are asked for. */
 static inline int algsurf_i_channels(const algsurf_picture *planes) {
@@ -247,6 +254,9 @@ algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const
  * sets line.wanted. */
 algsurf_status algsurf_i_choose_pixels(algsurf_i_worker *worker, int row);
 
+/* Of these, by what their corners show, those that are to get all samples. */
+void algsurf_i_keep_apart(algsurf_i_worker *worker, int row);
+
 /* The job of the row y from the top, through offset sx in each pixel, or through all of `dense` > 1 samples
  * side by side; without its form's coefficients. */
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, int dense,
@@ -270,7 +280,8 @@ void algsurf_i_count_tiles(algsurf_i_worker *worker, int row);
 int algsurf_i_solve_row(algsurf_i_worker *worker, int row, double sx, double sy);
 int algsurf_i_solve_complex_row(algsurf_i_worker *worker, int row, double sx, double sy);
 
-/* The same of the samples of the line's listed pixels that are side by side, sy below the row's upper end. */
+/* The same of the samples of the line's listed pixels that are side by side, those in the pass, sy below the
+ * row's upper end. */
 int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy);
 
 /* The rays of undecided samples, begin <= x < end, y from the top. */

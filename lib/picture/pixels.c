@@ -61,7 +61,7 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
     }
 }
 
-/* The samples of the listed pixels. */
+/* The samples of the listed pixels that are in the pass. */
 static void collect_listed(algsurf_i_worker *worker, int row) {
     const algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
@@ -72,7 +72,8 @@ static void collect_listed(algsurf_i_worker *worker, int row) {
         const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
         set_ways(line, x, x + 1, number > 0 ? (int)(2 / band->tiles[number - 1].inverse) : 0,
                  ALGSURF_WAY_ROW);
-        for (int k = dense * x; k < dense * (x + 1); k++) add_pixel(t, k, t->list_low[i]);
+        for (int k = 0; k < dense; k++)
+            if (algsurf_i_is_in_pass(line, line->sample + k)) add_pixel(t, dense * x + k, t->list_low[i]);
     }
 }
 
@@ -218,13 +219,13 @@ int algsurf_i_solve_row(algsurf_i_worker *worker, int row, double sx, double sy)
 
 int algsurf_i_solve_listed(algsurf_i_worker *worker, int row, double sy) {
     algsurf_i_line *line = &worker->line;
-    const int before = line->count, dense = line->dense;
+    const int before = line->count;
     algsurf_i_row_job job;
     worker->tiling.dips.count = 0;
-    algsurf_i_make_row(worker->picture, row + sy, 0.5, dense, &worker->form, &job);
+    algsurf_i_make_row(worker->picture, row + sy, 0.5, line->dense, &worker->form, &job);
     collect_listed(worker, row);
     int undecided = find_pixels(worker, &job);
-    worker->tally->stats.rays += (uint64_t)(dense * line->wanted_count);
+    worker->tally->stats.rays += (uint64_t)worker->tiling.pixels;
     worker->tally->stats.hits += (uint64_t)(line->count - before);
     return undecided;
 }

@@ -3,8 +3,9 @@
  * A row is drawn in n x n passes, one for each sample of the pixels' grid: first all rays of the pass
  * meet the surface, then all hits are shaded, if colours are asked for.  So the buffer holds one row of one
  * sample, however many samples a pixel has, and solving and shading can be timed with two clock readings a
- * pass.  A single sample's points are written as they are; those of several are added up.  In a selective
- * picture the passes are for the wanted pixels, and the others show their middles (antialias.c).
+ * pass.  A single sample's points are written as they are; those of several are added up, the corners' first.
+ * In a selective picture the passes are for the wanted pixels, and the others show their middles
+ * (antialias.c).
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
@@ -201,13 +202,14 @@ algsurf_status algsurf_i_render_middles(algsurf_i_worker *worker, int row, const
     return status;
 }
 
-/* All samples of the wanted pixels of a row, one pass for each. */
+/* The corners, or the other samples, of the wanted pixels of a row, one pass for each. */
 static algsurf_status render_passes(algsurf_i_worker *worker, int row) {
     algsurf_i_line *line = &worker->line;
     const int n = line->across;
     line->dense = 1;
     for (line->sample = 0; line->sample < n * n; line->sample++) {
         const int k = line->sample;
+        if (!algsurf_i_is_in_pass(line, k)) continue;
         algsurf_status status = see(worker, row, (k % n + 0.5) / n, (k / n + 0.5) / n);
         if (status != ALGSURF_OK) return status;
         raise_ways(line);
@@ -227,15 +229,18 @@ static algsurf_status add_coloured(algsurf_i_worker *worker, int row, int all_hi
     return status;
 }
 
-/* Row j of the listed pixels' samples.  Those not undecided wait, as long as there is room, to be coloured
- * with those of the rows that follow; in full quality colours depend on the row. */
+/* What is in the pass of row j of the listed pixels' samples.  Those not undecided wait, as long as there is
+ * room, to be coloured with those of the rows that follow; in full quality colours depend on the row. */
 static algsurf_status render_samples_row(algsurf_i_worker *worker, int row, int j) {
     const algsurf_i_picture *picture = worker->picture;
     algsurf_i_line *line = &worker->line;
     const int n = line->dense;
     const double sy = (j + 0.5) / n;
+    const size_t first = (size_t)(n * line->begin), count = (size_t)(n * line->end) - first;
     algsurf_status status = ALGSURF_OK;
     if (algsurf_i_stopped(picture)) return ALGSURF_CANCELLED;
+    memset(line->state + first, ALGSURF_LANE_MISS, count);
+    if (line->way) memset(line->way + first, ALGSURF_WAY_EMPTY, count);
     worker->lap = algsurf_i_render_clock(picture);
     if (picture->shadows || line->count + n * line->wanted_count > picture->width)
         status = add_coloured(worker, row, 1);
@@ -263,10 +268,8 @@ static algsurf_status render_dense(algsurf_i_worker *worker, int row) {
         line->wanted_count = all - line->listed < most ? all - line->listed : most;
         line->begin = line->list[line->listed];
         line->end = line->list[line->listed + line->wanted_count - 1] + 1;
-        const size_t first = (size_t)(n * line->begin), count = (size_t)(n * line->end) - first;
-        memset(line->state + first, ALGSURF_LANE_MISS, count);
-        if (line->way) memset(line->way + first, ALGSURF_WAY_EMPTY, count);
-        for (int j = 0; j < n && status == ALGSURF_OK; j++) status = render_samples_row(worker, row, j);
+        for (int j = 0; j < n && status == ALGSURF_OK; j += line->corners ? n - 1 : 1)
+            status = render_samples_row(worker, row, j);
         if (status == ALGSURF_OK) status = add_coloured(worker, row, 1);
     }
     line->begin = 0;
@@ -296,13 +299,16 @@ static algsurf_status render_samples(algsurf_i_worker *worker, int row, const al
     algsurf_i_line *line = &worker->line;
     algsurf_status status = ALGSURF_OK;
     if (picture->selective) status = algsurf_i_choose_pixels(worker, row);
-    line->colours = picture->planes.pixels ? &picture->colours : NULL;
+    line->colours = picture->selective || picture->planes.pixels ? &picture->colours : NULL;
     line->across = picture->scene->antialias;
-    if (status == ALGSURF_OK && line->wanted_count > 0) {
-        memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
-        if (line->shown.way) memset(line->shown.way, 0, (size_t)picture->width);
-        status =
-            picture->selective && line->dense > 1 ? render_dense(worker, row) : render_passes(worker, row);
+    memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
+    if (line->shown.way) memset(line->shown.way, 0, (size_t)picture->width);
+    const int last = line->across > 2 ? 0 : 1; /* of 2 x 2 all are corners */
+    for (line->corners = 1; line->corners >= last && line->wanted_count > 0; line->corners--) {
+        if (status == ALGSURF_OK)
+            status = picture->selective && line->dense > 1 ? render_dense(worker, row)
+                                                           : render_passes(worker, row);
+        if (line->corners && picture->selective) algsurf_i_keep_apart(worker, row);
     }
     if (status != ALGSURF_OK) return status;
     if (picture->selective) copy_middles(&worker->middles, row, picture->width, to);
