@@ -244,6 +244,17 @@ class Batches(unittest.TestCase):
         same(self, real_roots(Like(), -2, 2).array, expected)
         self.assertEqual(complex_roots([[1j, 1], [1, 1]]).value.tolist(), [[-1j], [-1]])
 
+    def test_rows_of_different_types(self):
+        """No whole number is rounded to be beside another type."""
+        big = 2**53 + 1
+        for kind in (np.int64, np.uint64, object):
+            for other in (np.float64, np.int64, np.float32):
+                rows = [np.array([big, 1], kind), np.array([-4, 2], other)]
+                for c in (rows, rows[::-1], [rows[0].tolist(), rows[1]]):
+                    at = [len(row) and int(row[0]) == big for row in c].index(True)
+                    self.assertEqual((real_roots(c).lo[at, 0], real_roots(c).hi[at, 0]), (-(2.0**53) - 2, -(2.0**53)))
+                    self.assertEqual(count_roots(c, -(2.0**53), -(2.0**53)).tolist(), [0, 0])
+
     def test_intervals(self):
         lo = np.linspace(-3, 0, 3000)
         r = real_roots(self.c, lo, 1)

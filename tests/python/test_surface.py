@@ -133,11 +133,16 @@ class Rays(unittest.TestCase):
         self.assertTrue((self.s.occluded(self.o, self.d) == hits.found).all())
 
     def test_layouts(self):
+        def shifted(a):  # where doubles should not be
+            return np.frombuffer(b"x" + a.tobytes(), np.uint8)[1:].view(np.float64).reshape(a.shape)
+
+        self.assertEqual(self.s.value(shifted(self.o)).tolist(), self.s.value(self.o).tolist())
         expected = self.s.first_hits(self.o, self.d)
         f = np.asfortranarray
         for o, d, options in ((f(self.o), f(self.d), {}), (self.o, f(self.d), {}), (self.o.tolist(), self.d, {}),
                               (self.o.reshape(5, 1000, 3), self.d.reshape(5, 1000, 3), {}),
-                              (self.o[::-1], self.d[::-1], {}),
+                              (self.o[::-1], self.d[::-1], {}), (shifted(self.o), self.d, {}),
+                              (shifted(self.o), shifted(self.d), {"t_min": shifted(np.zeros(5000))}),
                               (self.o, self.d, {"threads": 2}), (f(self.o), f(self.d), {"threads": 0}),
                               (self.o, self.d, {"t_max": 1e6, "t_min": np.zeros(5000)}),
                               (self.o.astype(">f8"), np.column_stack([self.d, self.d])[:, :3], {"extent": 9}),

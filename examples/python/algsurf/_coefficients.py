@@ -58,11 +58,11 @@ def exact(x: Any) -> Fraction:
 
 
 def floats(name: str, x: Any) -> NDArray[np.float64]:
-    """Real numbers, each the nearest double."""
+    """Real numbers, each the nearest double, where C may read them."""
     try:
         a = np.asarray(x)
         if a.dtype.kind != "c":
-            return a.astype(np.float64, copy=False)
+            return np.require(a, np.float64, "A")
     except (TypeError, ValueError):
         pass
     raise TypeError(f"{name}: real numbers were expected")
@@ -153,7 +153,8 @@ def polynomials(c: Any) -> Optional[Tuple[NDArray[Any], Tuple[int, ...]]]:
     if isinstance(c, (list, tuple)) and c and isinstance(c[0], (list, tuple, np.ndarray)):
         if len({len(row) for row in c}) > 1:
             raise ValueError("polynomials of one call have the same number of coefficients")
-        if not all(isinstance(row, np.ndarray) for row in c):
+        if len({getattr(row, "dtype", None) for row in c}) > 1 or not isinstance(c[0], np.ndarray):
+            # numpy rounds whole numbers beside floats
             c = np.array(c, dtype=object)
             kinds = {type(x) for x in c.flat}
             if kinds <= {float, int, complex} and all(type(x) is not int or abs(x) <= WHOLE for x in c.flat):
