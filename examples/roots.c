@@ -42,7 +42,7 @@ static void set_interval(const cli_option *option, const char *value, void *fiel
 #define FIELD(member) offsetof(roots_options, member), 0, 0
 
 static const cli_option options_table[] = {
-    {"--real", "LO:HI", "only the real roots from LO to HI, both included; -inf:inf: all real roots",
+    {"--real", "LO:HI", "only the real roots from LO to HI, doubles, both included; -inf:inf: all real roots",
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
      "with --real: how wide the interval about a root may be.  Default 0: as narrow as\n"
@@ -50,7 +50,7 @@ static const cli_option options_table[] = {
      cli_set_tolerance, FIELD(tolerance)},
     {"--digits", "N",
      "so many correct digits of each root, 1 to 100000, in place of doubles.  Of a complex\n"
-     "root, both parts end where the larger one has them",
+     "root, both parts end where the larger one has them.  Boxes may overlap then",
      cli_set_int, offsetof(roots_options, digits), 1, 100000},
     {"--coefficients", "exact|rounded",
      "exact (default): decimals and fractions are taken exactly.  rounded: they are rounded\n"
@@ -72,8 +72,8 @@ static const cli_program program = {
         "command line, polynomials are read from standard input, one a line, with blanks between the\n"
         "numbers; '#' starts a comment.\n\n"
         "A coefficient is a real number, or re,im for a complex one; numbers are decimal, hexadecimal,\n"
-        "or fractions of two of these, as 1/3.  They are exact, whatever their length and exponent, as\n"
-        "long as a polynomial, times the common denominator of its fractions, has at most 9800 digits\n"
+        "or fractions of two of these, as 1/3.  They are exact, with exponents up to 10^12, as long as\n"
+        "a polynomial, times the common denominator of its fractions, has at most 9800 digits\n"
         "from its first to its last.  The degree is at most 512; zeros at the end of a line lower it.\n\n"
         "For each root it prints an approximation, an interval or box that is proved to hold it, and\n"
         "its multiplicity: how many roots, equal or too close to be separated, the box holds.\n"
@@ -104,12 +104,14 @@ typedef struct batch {
     int bad_lines;
 } batch;
 
-/* Is the root the double itself?  The interval from there to there has a root then. */
+/* Is the root the double itself?  The interval from there to there has a root then, which at an end of a
+ * wider one may be another. */
 static int is_exact(const batch *b, const roots_row *row) {
     const roots_interval here = {row->value.re, row->value.re, 1};
     roots_row found[1];
     roots_complaint why;
     if (!b->polynomial.real || row->box.im.lo != 0 || row->box.im.hi != 0) return 0;
+    if (row->box.re.lo < row->box.re.hi && (here.lo == row->box.re.lo || here.lo == row->box.re.hi)) return 0;
     return isfinite(here.lo) && roots_real(&b->polynomial, &here, 0, found, &why) == 1 &&
            found[0].multiplicity == row->multiplicity;
 }

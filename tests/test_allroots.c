@@ -185,6 +185,8 @@ TEST(test_radii) {
     refused(ALGSURF_E_RANGE, two, (double[]){0, 0, 1}, 2);
     refused(ALGSURF_E_RANGE, (algsurf_complex[]){{1, 0}, {1, 0}, {0, 0}}, (double[]){0, 0, 1e-9}, 2);
     refused(ALGSURF_E_RANGE, (algsurf_complex[]){{0, 0}, {0, 0}, {0, 0}}, (double[]){1, 0, 1e-9}, 2);
+    for (int k = 31; k < 54; k++) /* below a power of two, which is below it by more than its size shows */
+        refused(ALGSURF_E_RANGE, (algsurf_complex[]){{1, 0}, {1, 0}}, (double[]){0, 1 - ldexp(1, -k)}, 1);
 }
 
 /* ---- high degrees, start values, reuse ---- */

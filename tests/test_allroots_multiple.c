@@ -442,6 +442,33 @@ TEST(test_clusters_stay) {
     close_product(t);
 }
 
+/* Roots of different factors that differ in their smaller part alone: (z^2 + 2 s)^m (L (z^2 + 2 s) - c z).
+ * For s = 1, m = 2 and c = 1 both pairs are near +-sqrt(2) i; for s = -1, m = 1 and c = i near +-sqrt(2), and
+ * two are real. */
+TEST(test_factors_apart) {
+    const double L = 0x1p80;
+    const double real[7] = {8 * L, -4, 12 * L, -4, 6 * L, -1, L};
+    const algsurf_complex z[5] = {{4 * L, 0}, {0, 2}, {-4 * L, 0}, {0, -1}, {L, 0}};
+    algsurf_complex_root e[6];
+    int count, reals = 0;
+    assert_ok(algsurf_complex_roots_of_real(real, NULL, 6, e, &count));
+    assert_int_equal(count, 4);
+    for (int i = 0; i < 4; i++) {
+        const int above = e[i].root.re > 0;
+        assert_int_equal(e[i].multiplicity, above ? 1 : 2);
+        assert_true(above ? e[i].box.re.lo > 0x1p-82 && e[i].box.re.hi < 0x1p-80
+                          : e[i].box.re.lo >= -0x1p-1074 && e[i].box.re.hi <= 0x1p-1074);
+    }
+    assert_ok(algsurf_complex_roots(z, NULL, 4, e, &count));
+    assert_int_equal(count, 4);
+    for (int i = 0; i < 4; i++) {
+        reals += e[i].real;
+        assert_true(e[i].multiplicity == 1 &&
+                    (e[i].real || (e[i].box.im.lo <= 0x1p-81 && e[i].box.im.hi >= 0x1p-81)));
+    }
+    assert_int_equal(reals, 2);
+}
+
 /* (x^10 + 1)^20: with memory 10 boxes, without it that is said, and nothing is written. */
 TEST(test_without_memory) {
     product *t = open_product();

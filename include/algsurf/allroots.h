@@ -39,7 +39,8 @@ typedef struct algsurf_complex_root {
  * other roots of real polynomials are in exactly conjugate boxes. With radii, roots that cannot be separated
  * share a box.  Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, negative degree or radius), E_DEGREE (above ALGSURF_MAX_POLY_DEGREE),
- * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0 by its radius), E_NO_MEMORY.
+ * E_NOT_FINITE, E_ZERO, E_RANGE (the leading coefficient may be 0: its radius is 1 - 2^-30 of it, or more),
+ * E_NO_MEMORY.
  * Cost: with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16) where roots are simple and apart;
  * else integers of as many bits as it takes: Wilkinson's polynomial of degree 20 0.2 milliseconds,
  * Chebyshev's of degree 160 0.05 seconds.  With radii 4 to 90 microseconds (degrees 3 to 20).

@@ -29,7 +29,8 @@ typedef struct algsurf_paper_options {
 /* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.
  *   p       degree+1 coefficients, degree 1..ALGSURF_MAX_POLY_DEGREE, p[degree] not 0
  *   start   first z; the first q is the quotient that Horner's scheme gives.  With a real polynomial and a
- *           real start all values are real.  Degree 1 is solved from any start.
+ *           real start all values are real.  Degree 1 is solved from any start, if its root is above
+ *           2^-1100.
  *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
  *   steps   number of steps made; may be null
  * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after

@@ -39,8 +39,9 @@ ALGSURF_API algsurf_status algsurf_poly_value(const double *c, const double *r, 
                                              double *value, double *bound);
 
 /* The same with a value computed as if in doubled precision: bound is about one unit in the last place of
- * value, plus sum r_i |t|^i, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree (coefficients and t
- * beyond 2^900 may get the bound of algsurf_poly_value instead).
+ * value, plus sum r_i |t|^i, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree, plus 2^-1069 sum
+ * |t|^i times the largest coefficient or radius, for what underflows beside it (coefficients, t or partial
+ * sums beyond 2^900 may get the bound of algsurf_poly_value instead).
  * Cost: O(degree), three to four times that of algsurf_poly_value.  Source: compensated Horner scheme,
  * Graillat, Langlois, Louvet 2005.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_value_compensated(const double *c, const double *r, int degree,

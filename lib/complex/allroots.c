@@ -96,12 +96,11 @@ static int take_doubles(problem *s, algsurf_i_integers *z) {
     return 1;
 }
 
-/* The leading coefficient is not 0 by its radius. */
+/* The leading coefficient is not 0, by its radius and some more. */
 static int has_lead(const algsurf_i_integers *z) {
     int n = z->re.degree;
     algsurf_scaled size = size_of(z->head[n]);
-    size.re *= 1 - 0x1p-30;
-    return !z->radius || less(z->radius[n], size);
+    return !z->radius || less(z->radius[n], by(size, 1 - 0x1p-30));
 }
 
 /* ---- integers ---- */
@@ -171,6 +170,20 @@ static algsurf_status take_and_solve(problem *s, const algsurf_complex *start) {
     return n == 0 || solve(s, &z, given) ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
+/* All boxes, the root 0 among them; *again: those of different factors meet, which narrower ones need not. */
+static algsurf_status find_boxes(problem *s, const algsurf_complex *start, int *again) {
+    algsurf_i_answer *a = &s->answer;
+    const int pressed = *again;
+    a->count = a->factors = *again = 0, a->pressed = pressed;
+    algsurf_status status = take_and_solve(s, start);
+    if (status != ALGSURF_OK || a->precise) return status;
+    if (s->low > 0) a->roots[a->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};
+    const int found = a->count;
+    a->count = algsurf_i_join_boxes(a->roots, found, s->real);
+    *again = a->count < found && a->factors > 1 && !pressed;
+    return ALGSURF_OK;
+}
+
 /* With memory for all that is taken. */
 static algsurf_status solve_all(problem *s, const algsurf_complex *start, size_t limit,
                                 algsurf_complex_root *roots, int *count) {
@@ -178,12 +191,14 @@ static algsurf_status solve_all(problem *s, const algsurf_complex *start, size_t
     algsurf_memory m;
     algsurf_memory_mark mark = algsurf_memory_begin(&m, own, OWN_WORDS, limit);
     algsurf_i_answer *a = &s->answer;
+    int again = 0;
     s->m = &m;
     a->roots = algsurf_i_take(&m, (size_t)((s->real ? 1 : 3) * s->high + 1) * sizeof *a->roots);
-    algsurf_status status = a->roots ? take_and_solve(s, start) : ALGSURF_E_NO_MEMORY;
+    algsurf_memory_mark empty = algsurf_memory_here(&m);
+    algsurf_status status = a->roots ? find_boxes(s, start, &again) : ALGSURF_E_NO_MEMORY;
+    if (again) algsurf_memory_release(&m, empty), status = find_boxes(s, start, &again);
     if (status == ALGSURF_OK && roots) {
-        if (s->low > 0) a->roots[a->count++] = (algsurf_complex_root){.multiplicity = s->low, .real = 1};
-        *count = algsurf_i_join_boxes(a->roots, a->count, s->real);
+        *count = a->count;
         memcpy(roots, a->roots, (size_t)*count * sizeof *roots);
     }
     algsurf_memory_release(&m, mark);

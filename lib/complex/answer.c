@@ -185,10 +185,11 @@ static int make_boxes(const algsurf_i_discs *d, int64_t unit, algsurf_complex_ro
     return left;
 }
 
-/* Roots whose boxes meet are made narrower, for they may differ in their smaller part.  Boxes of two units
- * are apart where the roots' distance exceeds 2^-48 of their size and a few of the least doubles. */
-static int press(algsurf_i_discs *d, int64_t unit) {
-    int met = 0, open, count = 0;
+/* Roots whose boxes meet are made narrower, for they may differ in their smaller part; or all are.  Boxes of
+ * two units are apart where the roots' distance exceeds 2^-48 of their size and a few of the least doubles.
+ */
+static int press(algsurf_i_discs *d, int64_t unit, int all) {
+    int met = all, open, count = 0;
     algsurf_memory_mark mark = algsurf_memory_here(d->m);
     int *close = algsurf_i_take(d->m, (size_t)d->n * sizeof *close);
     algsurf_cinterval *box = algsurf_i_take(d->m, (size_t)d->n * sizeof *box);
@@ -197,8 +198,9 @@ static int press(algsurf_i_discs *d, int64_t unit) {
         const algsurf_i_disc *root = d->root + i;
         const algsurf_scaled reach = sum(by(size_of(root->z.head), 0x1p-48), scaled_of(1, 0, -1070 - unit));
         if (is_alone(d, i) && less(root->nearest, reach)) close[count++] = i;
+        d->root[i].pressed = (unsigned char)(all && is_alone(d, i));
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !all; i++) {
         box[i] = box_of(d, close[i], unit).box;
         for (int j = 0; j < i; j++)
             if (meet(box[i], box[j])) met = d->root[close[i]].pressed = d->root[close[j]].pressed = 1;
@@ -210,7 +212,8 @@ static int press(algsurf_i_discs *d, int64_t unit) {
 int algsurf_i_deliver(algsurf_i_discs *d, algsurf_i_answer *a) {
     if (a->precise) return algsurf_i_deliver_precisely(d, a);
     algsurf_complex_root *roots = a->roots + a->count;
-    if (!d->p->radius && !press(d, a->unit)) return 0;
+    if (!d->p->radius && !press(d, a->unit, a->pressed)) return 0;
+    a->factors++;
     a->count += make_boxes(d, a->unit, roots);
     a->moved += d->moved;
     return 1;

@@ -65,6 +65,7 @@ typedef struct algsurf_i_answer {
     algsurf_complex_root *roots;    /* room for the degree; of complex ones for three times that: conjugates
                                        are among them at first */
     algsurf_precise_roots *precise; /* not null: the roots go there, in place of boxes */
+    int factors, pressed; /* how many polynomials they are of; 1: all are to be narrow in each part */
     int proposed, moved;            /* steps it took */
 } algsurf_i_answer;
 

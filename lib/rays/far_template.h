@@ -81,13 +81,14 @@ APART beyond look_out(const lanes *b, const lanes *e, int n, int own, const far_
 APART void look_about(const algsurf_surface *s, const chord_line *line, const packet *k, mask which, int n,
                       int own, far_rays *f) {
     f->is = look_out(k->b, k->e, n, own, f);
-    if (own || !any(which & f->is.lost)) return;
+    const mask lost = which & f->is.lost; /* these alone: a ray's answer does not hang on its neighbours */
+    if (own || !any(lost)) return;
     packet again;
     coefficients_from_powers(s, line, n, again.b, again.e);
     const beyond more = look_out(again.b, again.e, n, 1, f);
-    f->is.none_before |= more.none_before;
-    f->is.none_behind |= more.none_behind;
-    f->is.lost &= more.lost;
+    f->is.none_before |= lost & more.none_before;
+    f->is.none_behind |= lost & more.none_behind;
+    f->is.lost &= ~lost | more.lost;
 }
 
 /* Lanes for which the piece before, or the one behind, is to be searched. */
