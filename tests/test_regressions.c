@@ -182,3 +182,63 @@ TEST(first_root_taken_for_the_end) {
     assert_int_equal(hits.first.state, ALGSURF_STATE_HIT);
     assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
 }
+/* With an error of coefficients an endless ray's answer hung on its neighbour in the packet. */
+TEST(neighbour_of_an_endless_ray) {
+    const algsurf_surface *s = surface_with_error(surface_of("x^8 - y^8"), 1e-6);
+    const double o[3][2] = {{2, 2}, {1.5, 1.5}, {-2, -2}};
+    const double d[3][2] = {{-0x1.3bf5ee51d1f7dp-1, -0x1.475f76c61ca41p-1},
+                            {-0x1.1532029273269p-1, -0x1.0a5bc25e3a45p-1},
+                            {0x1.245cb22083fa2p-1, 0x1.21de85333915ep-1}};
+    const algsurf_ray second = {{2, 1.5, -2}, {d[0][1], d[1][1], d[2][1]}, 0, INFINITY};
+    double t[2], lo[2];
+    unsigned char state[2];
+    const algsurf_ray_packet rays = {
+        .size = sizeof rays, .count = 2, .origin = {o[0], o[1], o[2]}, .direction = {d[0], d[1], d[2]}};
+    const algsurf_hit_packet to = {.size = sizeof to, .state = state, .t = t, .t_lo = lo};
+    assert_ok(algsurf_intersect_packet(s, NULL, &rays, NULL, &to));
+    const algsurf_hit hit = first_hit_of(s, NULL, &second, NULL);
+    assert_true(state[1] == hit.state && t[1] == hit.t && lo[1] == hit.t_lo);
+}
+/* Of faces whose t round to one double the first in a list counted, not the first on the ray. */
+TEST(entry_far_away) {
+    const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
+    const algsurf_ray ray = {{-1e17, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const algsurf_hit hit = first_hit_of(surface_of("z = 0"), &box, &ray, NULL); /* enters at 1e17 - 1 */
+    assert_true(hit.state == ALGSURF_STATE_HIT && hit.t_lo == nextafter(1e17, 0) && hit.t_hi == 1e17);
+}
+/* With an error of coefficients there were more entries than the degree. */
+TEST(more_places_than_the_degree) {
+    const algsurf_surface *s = surface_with_error(surface_of("x^2 = y^2"), 1e-3);
+    const algsurf_ray ray = {{3, 1, 0}, {1, 1, 0}, -INFINITY, INFINITY};
+    algsurf_hit found[2];
+    int count;
+    assert_ok(algsurf_intersect_all(s, NULL, &ray, NULL, found, 2, &count));
+    assert_true(count > 0 && found[0].t_lo == -INFINITY && found[count - 1].t_hi == INFINITY);
+}
+/* Rays that lack memory were said to be at (0, 0, 0). */
+TEST(position_without_memory) {
+    const double o[3] = {5, 3, 1}, d[3] = {-1, -0.5, -0.2}, begin = -8;
+    double at[3], t;
+    unsigned char state;
+    const algsurf_intersect_options little = {.size = sizeof little, .max_memory = 1};
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = 1,
+                                     .origin = {o, o + 1, o + 2},
+                                     .direction = {d, d + 1, d + 2},
+                                     .t_min = &begin};
+    const algsurf_hit_packet to = {
+        .size = sizeof to, .state = &state, .t = &t, .position = {at, at + 1, at + 2}};
+    const algsurf_surface *s = surface_of("(x^2 + y^2 + z^2 - 1)^12 + (x y - z)^23 (x - 7)");
+    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, &little, &to), ALGSURF_E_NO_MEMORY);
+    assert_true(state == ALGSURF_STATE_UNDECIDED && t == -8);
+    for (int k = 0; k < 3; k++) assert_true(fabs(at[k] - (o[k] - 8 * d[k])) < 1e-15);
+}
+/* In complex space a part of a ray that is a point was undecided: powers of its length vanished. */
+TEST(complex_point) {
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 3}};
+    const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 2, 2};
+    algsurf_hit hit;
+    assert_ok(algsurf_intersect_complex(surface_of("x^2 + y^2 + z^2 = 1"), NULL, &ray, &space, NULL, NULL,
+                                        &hit, NULL));
+    assert_int_equal(hit.state, ALGSURF_STATE_MISS);
+}

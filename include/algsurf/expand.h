@@ -18,7 +18,8 @@ extern "C" {
  *   c, r  n+1 coefficients, lowest first, and their radii, n = algsurf_surface_degree(surface).
  *         Encloses: the exact coefficient p_i lies in [c[i]-r[i], c[i]+r[i]].  r may be null; c alone is not
  *         exact.
- * Errors: E_ARGUMENT (null, zero direction), E_NOT_FINITE (ray), E_RANGE (overflow).
+ * Errors: E_ARGUMENT (null, zero direction), E_NOT_FINITE (ray), E_RANGE (overflow, also on the way: where
+ * terms differ by more than doubles do).
  * Cost: about two multiply-adds for each term and each degree.  Source: nested Horner scheme
  * over polynomials in t; radii by the same scheme on magnitudes.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_expand_power(const algsurf_surface *surface, const algsurf_ray *ray,

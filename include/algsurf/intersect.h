@@ -20,7 +20,8 @@ typedef enum algsurf_tier {
      * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
      * at an end of the ray, on the extent's surface or on a cutting plane, rays in the surface.  A ray is
      * undecided only if coefficients are known up to an error (algsurf_surface_with_error) and the answer is
-     * not the same for all of them. */
+     * not the same for all of them, or not shown to be: where roots may be at the ends of what is looked at,
+     * where the ray may lie in the surface, and where it is nearly parallel to a cutting plane. */
     ALGSURF_TIER_CERTIFIED = 0,
     /* Doubles with error bounds only: what they leave open is undecided.  For programs that need a limit on
      * the time of every ray. */
@@ -50,8 +51,9 @@ typedef struct algsurf_hit {
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, for a miss, and for an undecided place */
     int side; /* hit: the sign of P just before it on the ray, -1 or 1; 0 with multiplicity 0.  Miss: the sign
-                 of P on the ray in the extent, behind all hits that the option `side` skips; 0 if the ray
-                 has no part there, or rounding hides the sign.  Undecided: 0.  In complex space: 0 */
+                 of P on the ray in the extent (in a ball twice as large, where the surface itself is that of
+                 the extent), behind all hits that the option `side` skips; 0 if the ray has no part there,
+                 or rounding hides the sign.  Undecided: 0.  In complex space: 0 */
     double t; /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
                            decided, both are t, or they are neighbouring doubles.  If doubles decided, the
@@ -61,9 +63,10 @@ typedef struct algsurf_hit {
                            up to an error widen it.  Undecided: there may be a hit in it, or none */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P at the position, unit length, its direction to 10^-4 degrees,
-                           however P's terms cancel.  At a singular point, or so near to one that rounding
-                           the position changes the direction, it is the normal at a point shortly before it
-                           on the ray.  All 0 if that has none (a ray in the surface), or without memory */
+                           however P's terms cancel.  At a singular point, or so near to one that 2^-50 of
+                           the position's size, or of the surface's where that is larger, changes the
+                           direction, it is the normal at a point shortly before it on the ray.  All 0 if
+                           that has none (a ray in the surface), or without memory */
 } algsurf_hit;
 
 /* How rays are intersected. */

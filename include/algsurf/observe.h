@@ -3,8 +3,9 @@
  * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
  * algsurf_intersect_options) give the same bits with and without it; without one, watching costs
  * nothing.  (Roots on the whole line, and of degrees 1 and 2, have a shorter way than the search that is
- * shown: without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the
- * ray.
+ * shown: without an observer, they take it.  So has P = c Q^k along a ray, in which Q is searched: t_lo and
+ * t_hi, the last bits of t, and what the bounded tier leaves undecided differ then.)  Abscissae are the
+ * caller's: t of the polynomial, t along the ray.
  *
  * Which cells and points there are may change with a version; what is said of each of them holds.  Roots are
  * isolated in cells: intervals whose variations of sign are counted.  The search begins with one cell or

@@ -114,11 +114,12 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  *                of that
  * Up to degree 12 a pixel is not chosen if it is proved that between its n x n samples there is no point of
  * the surface, or a single sheet.
- * A pixel that is not chosen shows one sample, that in the middle.  With threshold 1, or n = 1, no pixel is
- * chosen.  0.3 smooths outlines on a bright background, 0.1 most other edges too.
+ * A pixel that is not chosen shows one sample, that in the middle.  With n = 1, and with threshold 1 but for
+ * what is thin, no pixel is chosen.  0.3 smooths outlines on a bright background, 0.1 most other edges too.
  *     Each pixel equals that of the picture with n x n samples or that of the picture with one sample, except
- * that one byte in millions may differ by one, and t in its last bits.  The picture does not depend on slices
- * or threads: for a slice, the rows above and below it are looked at, too.
+ * that one byte in millions may differ by one, and t in its last bits, and that something thin is not seen in
+ * a pixel where neither its middle nor those of its four neighbours show any.  The picture does not depend on
+ * slices or threads: for a slice, the rows above and below it are looked at, too.
  *
  * Errors: E_ARGUMENT (null, below 0, above 1), E_NOT_FINITE.
  * Cost: as a rule one and a half to two and a half times that of one sample a pixel, for 4 x 4 samples and
@@ -137,8 +138,9 @@ ALGSURF_API algsurf_status algsurf_scene_set_intersect_options(algsurf_scene *sc
  *   planes  copied; null with count 0: no planes
  *   count   at most ALGSURF_MAX_CLIP_PLANES
  * Guarantee: in real space every ray is decided as algsurf_intersect_first decides it, with these planes in
- * its options.  In complex space the parameters t at which a ray meets the extent and the planes are rounded:
- * a root whose |t| is within rounding of one of them may count, or not.
+ * its options; of those that it leaves undecided, as coefficients have an error, some may be decided.  In
+ * complex space the parameters t at which a ray meets the extent and the planes are rounded: a root whose |t|
+ * is within rounding of one of them may count, or not.
  * Errors: E_ARGUMENT (a null scene, null planes, too many, a normal that is 0), E_NOT_FINITE.
  * Cost: a picture cut by a plane costs about what the whole picture costs; none costs nothing.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes,

@@ -145,7 +145,7 @@ static int first_entry(query *q, const algsurf_zpoly *face, int which, algsurf_e
         if (!is_inside(q, &walk, &root, which, &inside)) return 0;
     algsurf_exact_end(&walk);
     if (!inside) return found != ALGSURF_EXACT_NO_MEMORY;
-    if (!*any || root.t < best->t) *best = root;
+    if (!*any || root.lo < best->lo || root.hi < best->hi) *best = root;
     *any = 1;
     return 1;
 }
@@ -282,12 +282,15 @@ static int look_again(query *q, algsurf_term *spread, const algsurf_exact_range 
     return 1;
 }
 
+/* What callers have room for. */
+static int most_places(const query *q) { return q->surface->degree > 0 ? q->surface->degree : 1; }
+
 static int look_closer(query *q, algsurf_term *spread, algsurf_exact_range *range, int *count) {
     algsurf_exact_range found[ALGSURF_MAX_DEGREE];
     int better, now, gained = 1;
     for (int look = 0; gained && look < MOST_LOOKS; look++)
         for (int i = gained = 0; i < *count; i += better ? now : 1) {
-            int room = ALGSURF_MAX_DEGREE + 1 - *count;
+            int room = most_places(q) + 1 - *count;
             if (!look_again(q, spread, range + i, found, room, &now, &better)) return 0;
             if (!better) continue;
             memmove(range + i + now, range + i + 1, (size_t)(*count - i - 1) * sizeof *range);
@@ -306,7 +309,7 @@ static ALGSURF_NOINLINE algsurf_status find_places(query *q) {
     int found,
         done = spread && make_forms(q, spread, 0, 0, &p, &radius) &&
                algsurf_exact_radii_isolate(&q->memory, &p, &radius, q->unit, q->chord.lo, q->chord.hi, range,
-                                           ALGSURF_MAX_DEGREE, &found, watch.observer ? &watch : NULL) &&
+                                           most_places(q), &found, watch.observer ? &watch : NULL) &&
                look_closer(q, spread, range, &found);
     free(spread);
     if (!done) return ALGSURF_E_NO_MEMORY;

@@ -66,7 +66,8 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     f->one_piece = chord || half <= 2 * natural;
     if (f->one_piece) {
         place(f, O, 0.5 * lo + 0.5 * hi);
-        f->step = power_above(fmax(half, 0x1p-900));
+        f->step =
+            power_above(fmax(half, ldexp(1, -900 / (surface->degree + 1)))); /* its powers do not vanish */
     } else {
         f->step = natural;
     }

@@ -55,9 +55,8 @@ static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const alg
     algsurf_i_set_normal(surface, ray, hit->position, off, q->memory_limit, hit->normal);
 }
 
-/* A place where a hit may be. */
-static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_status reason,
-                          algsurf_hit *hit) {
+void algsurf_i_set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_status reason,
+                             algsurf_hit *hit) {
     double middle = 0.5 * lo + 0.5 * hi, t = isfinite(middle) ? middle
                                              : isfinite(lo)   ? lo
                                              : isfinite(hi)   ? hi
@@ -103,7 +102,7 @@ static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, cons
         if (roots[i].reason == ALGSURF_OK)
             make_hit(q, ray, roots + i, hits + i);
         else
-            set_undecided(ray, roots[i].t_lo, roots[i].t_hi, roots[i].reason, hits + i);
+            algsurf_i_set_undecided(ray, roots[i].t_lo, roots[i].t_hi, roots[i].reason, hits + i);
     return status;
 }
 
@@ -129,7 +128,7 @@ static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, a
     if (q->options.tier == ALGSURF_TIER_BOUNDED) { /* one entry, if the ray meets the region */
         *count = algsurf_i_region_chord(&q->region, ray, &chord);
         hits->side = 0;
-        if (*count) set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hits);
+        if (*count) algsurf_i_set_undecided(ray, chord.lo, chord.hi, ALGSURF_UNDECIDED_MULTIPLE, hits);
     } else {
         if (exact) ++*exact;
         status = hits_exact(q, ray, want, hits, count);

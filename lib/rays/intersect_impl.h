@@ -48,6 +48,10 @@ void algsurf_i_hit_of_power(const algsurf_i_query *q, algsurf_hit *hit);
 /* No point of the surface on the ray; side: the sign of P there, or 0. */
 void algsurf_i_set_miss(algsurf_hit *hit, int side);
 
+/* A place, lo <= t <= hi, where a hit may be. */
+void algsurf_i_set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_status reason,
+                             algsurf_hit *hit);
+
 /* The unit normal at a point of the ray, in the caller's units, that is `off` from its root at most, beside
  * rounding of its coordinates; limit: bytes that may be allocated. */
 void algsurf_i_set_normal(const algsurf_surface *surface, const algsurf_ray *ray, const double position[3],

@@ -140,14 +140,15 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
         if (hits->reason) hits->reason[i] = ALGSURF_OK;
         if (!left && !lacks_normal(hits, i)) continue;
         const algsurf_ray ray = ray_of(rays, i);
-        algsurf_hit hit = {.state = ALGSURF_STATE_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
+        algsurf_hit hit = {.state = ALGSURF_STATE_UNDECIDED};
         if (!left) {
             (void)algsurf_i_first_hit(q, &ray, 0, &hit, NULL);
             for (int k = 0; k < 3; k++)
                 if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
             continue;
         }
-        hit.t = hit.t_lo = ray.t_min, hit.t_hi = ray.t_max; /* so it stays without memory */
+        if (!any) /* so it stays without memory */
+            algsurf_i_set_undecided(&ray, ray.t_min, ray.t_max, ALGSURF_UNDECIDED_RANGE, &hit);
         one = any ? algsurf_i_occluded(q, &ray, 1, &hit.state)
                   : algsurf_i_first_hit(q, &ray, !q->has_method, &hit, exact);
         if (one != ALGSURF_OK) status = one;
