@@ -38,6 +38,9 @@ static void make(run *r, int cells, mesh *m) {
                               .progress_data = &r->bar};
     const algsurf_status status = mesh_make(r->surface, &r->shown.extent, &how, m);
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status == ALGSURF_E_RANGE)
+        cli_fail(CLI_BAD_INPUT, "the extent is too large or too small (1e-30 to 1e30), or too far from the "
+                                "origin for doubles to show its cells");
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 

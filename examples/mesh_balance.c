@@ -48,7 +48,7 @@ int mesh_balance(mesh *m, const algsurf_surface *surface, mesh_runner *run, void
     }
     for (size_t i = 0; i < m->points && done; i++) {
         const double move = sum[i][1] > 0 ? -sum[i][0] / sum[i][1] : 0;
-        if (m->kind[i] != MESH_SMOOTH || fabs(move) > MOST * m->h) continue;
+        if (m->kind[i] != MESH_SMOOTH || !(fabs(move) <= MOST * m->h)) continue;
         for (int k = 0; k < 3; k++) m->at[i][k] += move * (double)m->normal[i][k];
     }
     free(b.gap);

@@ -16,9 +16,6 @@
 
 enum { BAND = 16, LAYERS = BAND + 3 }; /* a slab looks at the layers beside its own two */
 
-/* Of a cell: vertices keep that far from its faces, so that those of neighbours differ, as floats, too. */
-static const double MARGIN = 1.0 / 4096;
-
 typedef struct layer {
     unsigned char *signs;
     mesh_row row[2]; /* along x, along y */
@@ -90,8 +87,8 @@ static void place_cell(maker *m, part *p, int s, uint32_t index) {
     double low[3], high[3];
     mesh_crossing crossing[MESH_EDGES];
     for (int a = 0; a < 3; a++) {
-        low[a] = m->space.point[a][from[a]] + MARGIN * m->space.h;
-        high[a] = m->space.point[a][from[a] + 1] - MARGIN * m->space.h;
+        low[a] = m->space.point[a][from[a]] + MESH_MARGIN * m->space.h;
+        high[a] = m->space.point[a][from[a] + 1] - MESH_MARGIN * m->space.h;
     }
     for (int sheet = 0; sheet < sheets->count; sheet++) {
         mesh_vertex *vertex = &p->vertex[cell->first + (uint32_t)sheet];

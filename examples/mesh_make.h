@@ -24,7 +24,7 @@ typedef struct mesh_options {
  * no boundary.
  * Each vertex is in its own cell, or near it (mesh_vertex.h, mesh_balance.h).  The same mesh for every
  * runner.
- * Returns OK or CANCELLED.  Errors: E_ARGUMENT, E_NO_MEMORY, E_CAPACITY (above MESH_MOST_POINTS), and
+ * Returns OK or CANCELLED.  Errors: those of mesh_space_begin, E_CAPACITY (above MESH_MOST_POINTS), and
  * those of algsurf_intersect_all.  Cost: 3 n^2 lines for n cells along each axis, and a microsecond or two
  * for each vertex.  Memory: some 200 bytes n^2, and 75 bytes a triangle. */
 algsurf_status mesh_make(const algsurf_surface *surface, const algsurf_extent *extent,

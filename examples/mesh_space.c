@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 static const double OFF[3] = {0.2360679775, -0.1547005384, 0.0857864376}; /* sqrt 5, 4/3 sqrt 3, 2 sqrt 2 */
+static const double LEAST = 1e-30,
+                    MOST = 1e30; /* squares of areas are in range, distances in that of floats */
 
 algsurf_status mesh_space_begin(mesh_space *space, int cells) {
     const algsurf_extent *extent = &space->extent;
@@ -19,6 +21,8 @@ algsurf_status mesh_space_begin(mesh_space *space, int cells) {
     }
     space->h = 2 * longest / (cells - 2);
     for (int a = 0; a < 3; a++) {
+        const double far = fabs(extent->centre[a]) + size[a];
+        if (!(longest >= LEAST && far <= MOST && far + MESH_MARGIN * space->h > far)) return ALGSURF_E_RANGE;
         const int n = 2 + (int)ceil(2 * size[a] / space->h - 1e-9);
         space->cells[a] = n < MESH_LEAST_CELLS ? MESH_LEAST_CELLS : n;
         space->point[a] = malloc(((size_t)space->cells[a] + 1) * sizeof(double));

@@ -15,6 +15,10 @@ enum {
 };
 enum { MESH_LEAST_CELLS = 4, MESH_MOST_CELLS = 2048 };
 
+/* Of a cell: vertices keep that far from its faces, so that those of neighbours differ, near the origin as
+ * floats, too. */
+#define MESH_MARGIN 0x1p-12
+
 typedef struct mesh_space {
     const algsurf_surface *surface;
     algsurf_extent extent; /* a ball or a box */
@@ -28,7 +32,8 @@ typedef struct mesh_space {
 /* A lattice of cubes, `cells` of them along the longest axis of the extent.  The outermost points lie
  * outside. It is moved off the extent's centre by fractions of a cell that no surface is likely to know, so
  * that planes of symmetry do not pass through its points.  Errors: E_ARGUMENT (cells, an extent without end),
- * E_NO_MEMORY; free with mesh_space_end, also then. */
+ * E_RANGE (the longest axis is below 1e-30, a coordinate above 1e30, or so large that doubles do not show
+ * MESH_MARGIN there), E_NO_MEMORY; free with mesh_space_end, also then. */
 algsurf_status mesh_space_begin(mesh_space *space, int cells);
 void mesh_space_end(mesh_space *space);
 

@@ -230,6 +230,29 @@ TEST(test_degenerate) {
     mesh_space_end(&space);
 }
 
+/* Extents farther and farther away: a mesh as near the origin, or none. */
+TEST(test_range) {
+    const mesh_options solid = {.cells = 32, .solid = 1};
+    static const char *const equations[] = {"x", "y", "z"};
+    mesh m;
+    for (int axis = 0; axis < 3; axis++)
+        for (int e = 0; e < 1024; e += e < 64 ? 1 : 96) {
+            algsurf_extent extent = box(1, 1, 1);
+            extent.centre[(axis + 1) % 3] = ldexp(1, e);
+            const algsurf_status status = mesh_make(surface_of(equations[axis]), &extent, &solid, &m);
+            assert_int_equal(status, e < 38 ? ALGSURF_OK : ALGSURF_E_RANGE);
+            if (status == ALGSURF_OK) near(4, measure(&m).volume, 1e-9);
+            mesh_free(&m);
+        }
+    for (int e = -1074; e<1024; e += e> - 110 && e < 110 ? 5 : 50) {
+        const algsurf_extent extent = ball(ldexp(1, e));
+        const algsurf_status status = mesh_make(surface_of("x"), &extent, &solid, &m);
+        assert_int_equal(status, e > -100 && e < 100 ? ALGSURF_OK : ALGSURF_E_RANGE);
+        if (status == ALGSURF_OK) near(2 * PI / 3, measure(&m).volume / ldexp(1, 3 * e), 0.01);
+        mesh_free(&m);
+    }
+}
+
 static int stop(int done, int total, void *data) {
     assert_in_range(done, 0, total);
     return --*(int *)data == 0;

@@ -349,6 +349,7 @@ class Meshes(unittest.TestCase):
         for options, kind, words in (
                 ({"cells": 8.5}, TypeError, "^cells: a whole number from 4 to 2048 was expected, not 8.5$"),
                 ({"threads": "a"}, TypeError, "^threads: "), ({"cells": 3}, ValueError, "^cells: [^;]*$"),
+                ({"extent": 1e155}, OverflowError, "."), ({"extent": 1, "centre": (1e15, 0, 0)}, OverflowError, "."),
                 ({"centre": (1, 0, 0)}, ValueError, "^centre: of an extent; give extent, too")):
             with self.assertRaisesRegex(kind, words):
                 s.mesh(**options)

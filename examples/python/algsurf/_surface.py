@@ -351,7 +351,8 @@ class Surface:
         the lines of a lattice.
 
         cells    of the lattice along the longest side of the extent, 4 to 2048
-        extent, centre  what is meshed: a ball or a box, as for first_hits; None, as render chooses it
+        extent, centre  what is meshed: a ball or a box, as for first_hits; None, as render chooses it. OverflowError
+                 where sizes are not in 1e-30..1e30, or it is too far from the origin for doubles to show its cells
         solid    closes what is inside, P < 0, where the extent ends; else the surface is open there
         on_surface  vertices are on the surface; else triangles lie evenly on both sides of it, and volumes are right
         threads  0: as many as there are processors
