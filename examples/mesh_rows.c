@@ -54,21 +54,21 @@ static int add(mesh_row *row, const algsurf_hit *hit) {
 /* Adds the crossings of the line, and counts what is special about them. */
 static algsurf_status take_hits(line *l) {
     algsurf_hit hits[ALGSURF_MAX_DEGREE];
-    int count = 0, before = -1;
-    const double low = l->space->point[l->axis][0];
+    int count = 0, next = 0;
+    double end = -INFINITY; /* of the edge with the crossing before, which may be at both its ends */
     algsurf_status status = algsurf_intersect_all(l->space->surface, &l->space->extent, &l->ray, l->how, hits,
                                                   ALGSURF_MAX_DEGREE, &count);
     for (int i = 0; i < count && status >= 0; i++) {
         const algsurf_hit *hit = &hits[i];
-        const int cell = (int)floor((hit->t - low) / l->space->h);
         const int undecided = hit->state == ALGSURF_STATE_UNDECIDED;
         if (undecided) mesh_doubt_add(&l->row->doubts[MESH_UNDECIDED], hit->position);
         if (!undecided && hit->multiplicity % 2 == 0) {
             mesh_doubt_add(&l->row->doubts[MESH_TOUCHED], hit->position);
             continue;
         }
-        if (cell == before) mesh_doubt_add(&l->row->doubts[MESH_CROWDED], hit->position);
-        before = cell;
+        if (hit->t <= end) mesh_doubt_add(&l->row->doubts[MESH_CROWDED], hit->position);
+        while (next < l->space->cells[l->axis] && l->space->point[l->axis][next] <= hit->t) next++;
+        end = l->space->point[l->axis][next];
         if (!add(l->row, hit)) return ALGSURF_E_NO_MEMORY;
     }
     return status < 0 ? status : ALGSURF_OK;
@@ -152,14 +152,19 @@ void mesh_row_free(mesh_row *row) {
 
 /* ---- an edge ---- */
 
-/* The crossing of a line from `inner` to `outer`: the first one that is met; null: there is none. */
-static const mesh_hit *first_from(const mesh_hit *hits, size_t count, double inner, double outer) {
-    const double low = fmin(inner, outer), high = fmax(inner, outer);
+/* Is a crossing at a point after it, as the sign there tells?  Else it is before it, as in take_signs. */
+static int is_after(const mesh_hit *hit, int bits) {
+    return (bits & MESH_IN_EXTENT) && hit->side != 0 && (hit->side < 0) == (bits & MESH_NEGATIVE);
+}
+
+/* The crossing of an edge, the first one that is met from its inner end; null: there is none. */
+static const mesh_hit *first_on(const mesh_hit *hits, size_t count, const double ends[2], int low, int high) {
     const mesh_hit *found = NULL;
-    for (size_t i = 0; i < count && hits[i].t <= high; i++) {
-        if (hits[i].t < low) continue;
+    for (size_t i = 0; i < count && hits[i].t <= ends[1]; i++) {
+        if (hits[i].t < ends[0] || (hits[i].t == ends[0] && !is_after(&hits[i], low))) continue;
+        if (hits[i].t == ends[1] && is_after(&hits[i], high)) continue;
         found = &hits[i];
-        if (inner < outer) break;
+        if (low == MESH_INSIDE) break;
     }
     return found;
 }
@@ -178,7 +183,7 @@ void mesh_row_crossing(const mesh_space *space, const mesh_row *row, int axis, c
     const double *ends = &space->point[axis][point[axis]], middle = 0.5 * (ends[0] + ends[1]);
     const mesh_hit *hits = row->hits + row->start[index];
     const size_t count = row->start[index + 1] - row->start[index];
-    const mesh_hit *hit = first_from(hits, count, ends[!is_low], ends[is_low]);
+    const mesh_hit *hit = first_on(hits, count, ends, low, high);
     const int leaves = !((is_low ? high : low) & MESH_IN_EXTENT);
     double span[2], unused;
     int part[2];

@@ -230,6 +230,49 @@ TEST(test_degenerate) {
     mesh_space_end(&space);
 }
 
+/* What is before, or after, a plane; inside, or outside, of two planes. */
+static void check_layers(const mesh_space *space, int axis, double low, double high, int sign) {
+    const mesh_options solid = {.cells = 12, .solid = 1};
+    const double between = 4 * (high - low);
+    char text[200];
+    snprintf(text, sizeof text, "%d (%c - (%a))", sign, "xyz"[axis], low);
+    mesh m = make(text, space->extent, &solid);
+    near(4 * (1 + sign * low), measure(&m).volume, 2e-3);
+    mesh_free(&m);
+    snprintf(text, sizeof text, "%d (%c - (%a)) (%c - (%a))", sign, "xyz"[axis], low, "xyz"[axis], high);
+    m = make(text, space->extent, &solid);
+    if (high - low > 1.5 * space->h || m.doubts[MESH_CROWDED].count == 0)
+        near(sign > 0 ? between : 8 - between, measure(&m).volume, 2e-3);
+    mesh_free(&m);
+}
+
+/* Planes through points of the lattice: no layer of a cell or more is lost. */
+TEST(test_layers) {
+    mesh_space space = {.surface = surface_of("x"), .extent = box(1, 1, 1)};
+    assert_ok(mesh_space_begin(&space, 12));
+    for (int axis = 0; axis < 3; axis++)
+        for (int i = 3; i < 9; i++)
+            for (int j = i + 1; j < 10; j++)
+                for (int sign = -1; sign < 2; sign += 2)
+                    check_layers(&space, axis, space.point[axis][i], space.point[axis][j], sign);
+    const mesh_options solid = {.cells = 12, .solid = 1};
+    mesh m = make("(x - (0x1.e3779b97f6815p-4))(x - (-0x1.8722191a025fbp-2))", box(1, 1, 1),
+                  &(mesh_options){.cells = 6, .solid = 1}); /* both are at points, exactly */
+    near(2, measure(&m).volume, 1e-6);
+    mesh_free(&m);
+    for (int axis = 0; axis < 3; axis++) { /* a plane behind the last point, by less than doubles show */
+        const double *p = &space.point[axis][12];
+        int k = 3;
+        while (*p > 1) p--;
+        while (!(fma(k, *p, -(k * *p)) < 0 && k * *p / k == *p)) k++;
+        algsurf_term terms[2] = {{0, 0, 0, -(k * *p)}, {axis == 0, axis == 1, axis == 2, k}};
+        assert_ok(mesh_make(surface_of_terms(terms, 2), &space.extent, &solid, &m));
+        near(4 * (1 + *p), measure(&m).volume, 2e-3);
+        mesh_free(&m);
+    }
+    mesh_space_end(&space);
+}
+
 /* Extents farther and farther away: a mesh as near the origin, or none. */
 TEST(test_range) {
     const mesh_options solid = {.cells = 32, .solid = 1};
