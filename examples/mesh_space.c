@@ -8,13 +8,26 @@ static const double OFF[3] = {0.2360679775, -0.1547005384, 0.0857864376}; /* sqr
 static const double LEAST = 1e-30,
                     MOST = 1e30; /* squares of areas are in range, distances in that of floats */
 
+/* That of the power of two above all three. */
+static int exponent(const double v[3]) {
+    int e;
+    (void)frexp(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))), &e);
+    return e;
+}
+
 algsurf_status mesh_space_begin(mesh_space *space, int cells) {
     const algsurf_extent *extent = &space->extent;
     const int is_box = extent->kind == ALGSURF_EXTENT_BOX;
     double size[3], longest = 0;
     for (int a = 0; a < 3; a++) space->point[a] = NULL;
-    if (cells < MESH_LEAST_CELLS || cells > MESH_MOST_CELLS || extent->kind == ALGSURF_EXTENT_ALL)
+    if (cells < MESH_LEAST_CELLS || cells > MESH_MOST_CELLS || extent->kind == ALGSURF_EXTENT_ALL ||
+        space->plane_count > ALGSURF_MAX_CLIP_PLANES)
         return ALGSURF_E_ARGUMENT;
+    for (size_t i = 0; i < space->plane_count; i++) {
+        const int e = exponent(space->planes[i].normal);
+        space->plane[i].offset = ldexp(space->planes[i].offset, -e);
+        for (int a = 0; a < 3; a++) space->plane[i].normal[a] = ldexp(space->planes[i].normal[a], -e);
+    }
     for (int a = 0; a < 3; a++) {
         size[a] = extent->size[is_box ? a : 0];
         longest = fmax(longest, size[a]);
@@ -40,7 +53,13 @@ void mesh_space_end(mesh_space *space) {
     }
 }
 
-double mesh_length(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+double mesh_length(const double v[3]) {
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    if (square > 0x1p-900 && square < INFINITY) return sqrt(square);
+    const int e = exponent(v); /* squares were not in range */
+    const double w[3] = {ldexp(v[0], -e), ldexp(v[1], -e), ldexp(v[2], -e)};
+    return ldexp(sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]), e);
+}
 
 /* Divides by the length; 0 where there is none. */
 static int unit(double normal[3], double *distance) {
@@ -58,7 +77,7 @@ int mesh_space_part(const mesh_space *space, int part, const double x[3], double
         return algsurf_surface_gradient(space->surface, x, distance, normal, NULL, NULL) == ALGSURF_OK &&
                unit(normal, distance);
     if (part >= MESH_PLANE) {
-        const algsurf_plane *plane = &space->planes[part - MESH_PLANE];
+        const algsurf_plane *plane = &space->plane[part - MESH_PLANE];
         *distance = -plane->offset;
         for (int a = 0; a < 3; a++) {
             normal[a] = plane->normal[a];
@@ -105,7 +124,7 @@ int mesh_space_span(const mesh_space *space, int axis, const double x[3], double
         narrow(span, part, centre - sqrt(square), MESH_BALL, centre + sqrt(square), MESH_BALL);
     }
     for (size_t i = 0; i < space->plane_count; i++) {
-        const algsurf_plane *plane = &space->planes[i];
+        const algsurf_plane *plane = &space->plane[i];
         const double along = plane->normal[axis];
         const int which = MESH_PLANE + (int)i;
         double rest = plane->offset;

@@ -296,6 +296,26 @@ TEST(test_range) {
     }
 }
 
+/* An equation and a plane times a power of two are the same. */
+TEST(test_scales) {
+    mesh first = {.points = 0};
+    for (int e = -960; e <= 960; e += 120) {
+        const double s = ldexp(1, e);
+        const algsurf_term terms[4] = {{0, 0, 0, -s}, {2, 0, 0, s}, {0, 2, 0, s}, {0, 0, 2, s}};
+        const algsurf_plane plane = {{s, s, -s}, s / 4};
+        const algsurf_extent extent = ball(1.2);
+        const mesh_options options = {.cells = 16, .solid = 1, .planes = &plane, .plane_count = 1};
+        mesh m;
+        assert_ok(mesh_make(surface_of_terms(terms, 4), &extent, &options, &m));
+        if (first.points == 0) first = m;
+        assert_int_equal(m.points, first.points);
+        assert_memory_equal(m.at, first.at, m.points * sizeof *m.at);
+        assert_memory_equal(m.normal, first.normal, m.points * sizeof *m.normal);
+        if (m.at != first.at) mesh_free(&m);
+    }
+    mesh_free(&first);
+}
+
 static int stop(int done, int total, void *data) {
     assert_in_range(done, 0, total);
     return --*(int *)data == 0;
