@@ -105,6 +105,9 @@ static void make_mesh(run *r) {
                 : "no line of the lattice crosses the surface in this extent; another --extent, or more "
                   "--cells");
     if (a->thickness > 0 && !mesh_open_thicken(&m, a->thickness)) cli_no_memory();
+    if (!mesh_fits_floats(&m, a->thickness > 0 ? fmin(a->thickness, m.h) : m.h))
+        cli_fail(CLI_BAD_INPUT, "too far from the origin for floats, as files have them, to show the mesh%s",
+                 a->thickness > 0 ? ", or --thicken too large or too small" : "");
     mesh_measures of;
     if (!mesh_measure(&m, &of)) cli_no_memory();
     const int turned = of.open == 0 && of.volume < 0;

@@ -1,6 +1,7 @@
 /* mesh_write.c - see mesh_write.h.  Everything binary is little-endian. */
 #include "mesh_write.h"
 
+#include <float.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
@@ -227,6 +228,13 @@ static void write_glb(writer *w, const mesh *m, const double *const colour[2]) {
 }
 
 /* ---- all of them ---- */
+
+int mesh_fits_floats(const mesh *m, double step) {
+    double far = 0;
+    for (size_t i = 0; i < m->points; i++)
+        for (int k = 0; k < 3; k++) far = fmax(far, fabs(m->at[i][k]));
+    return far + step < (double)FLT_MAX && (float)(far + step / 8) > (float)far;
+}
 
 int mesh_write(const mesh *m, mesh_format format, const double outside[3], const double inside[3],
                mesh_put *put, void *data) {

@@ -46,6 +46,7 @@ static algsurf_status write(const algsurf_scene *scene, mesh_format format, mesh
     mesh_measures of;
     const algsurf_status status = algsurf_scene_get_lighting(scene, lights, &lighting);
     if (status != ALGSURF_OK) return status;
+    if (!mesh_fits_floats(m, m->h)) return ALGSURF_E_RANGE;
     if (!mesh_measure(m, &of)) return ALGSURF_E_NO_MEMORY;
     const int turned = of.open == 0 && of.volume < 0;
     const double *outside = lighting.material->outside, *inside = lighting.material->inside;
