@@ -33,9 +33,8 @@ typedef struct mesh_space {
 /* A lattice of cubes, `cells` of them along the longest axis of the extent.  The outermost points lie
  * outside. It is moved off the extent's centre by fractions of a cell that no surface is likely to know, so
  * that planes of symmetry do not pass through its points.  Errors: E_ARGUMENT (cells, an extent without end,
- * too many planes),
- * E_RANGE (the longest axis is below 1e-30, a coordinate above 1e30, or so large that doubles do not show
- * MESH_MARGIN there), E_NO_MEMORY; free with mesh_space_end, also then. */
+ * too many planes), E_RANGE (the longest axis is below 1e-30, a coordinate above 1e30, or so large that
+ * doubles do not show MESH_MARGIN there), E_NO_MEMORY; free with mesh_space_end, also then. */
 algsurf_status mesh_space_begin(mesh_space *space, int cells);
 void mesh_space_end(mesh_space *space);
 

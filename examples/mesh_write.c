@@ -54,6 +54,13 @@ static void place(writer *w, const double x[3]) {
     for (int k = 0; k < 3; k++) number(w, (float)x[k]);
 }
 
+/* The normal of a point; of unit length, as glTF demands, where there is none, too. */
+static const float *normal_of(const mesh *m, size_t point) {
+    static const float any[3] = {0, 0, 1};
+    const float *n = m->normal[point];
+    return n[0] == 0 && n[1] == 0 && n[2] == 0 ? any : n;
+}
+
 static void direction(writer *w, const float n[3], float sign) {
     for (int k = 0; k < 3; k++) number(w, sign * n[k]);
 }
@@ -89,7 +96,7 @@ static void write_ply(writer *w, const mesh *m, uint8_t colour[2][3]) {
          m->triangles);
     for (size_t i = 0; i < m->points; i++) {
         place(w, m->at[i]);
-        direction(w, m->normal[i], 1);
+        direction(w, normal_of(m, i), 1);
         for (int k = 0; k < 3; k++) byte(w, colour[m->kind[i] == MESH_CLOSING][k]);
     }
     for (size_t i = 0; i < m->triangles; i++) {
@@ -102,9 +109,10 @@ static void write_obj(writer *w, const mesh *m) {
     text(w, "# libalgsurf\n");
     for (size_t i = 0; i < m->points; i++)
         text(w, "v %.9g %.9g %.9g\n", m->at[i][0], m->at[i][1], m->at[i][2]);
-    for (size_t i = 0; i < m->points; i++)
-        text(w, "vn %.5g %.5g %.5g\n", (double)m->normal[i][0], (double)m->normal[i][1],
-             (double)m->normal[i][2]);
+    for (size_t i = 0; i < m->points; i++) {
+        const float *n = normal_of(m, i);
+        text(w, "vn %.5g %.5g %.5g\n", (double)n[0], (double)n[1], (double)n[2]);
+    }
     for (size_t i = 0; i < m->triangles; i++) {
         const uint32_t *t = m->corner[i];
         text(w, "f %" PRIu64 "//%" PRIu64 " %" PRIu64 "//%" PRIu64 " %" PRIu64 "//%" PRIu64 "\n",
@@ -222,8 +230,8 @@ static void write_glb(writer *w, const mesh *m, const double *const colour[2]) {
     text(w, "BIN");
     byte(w, 0);
     for (size_t i = 0; i < m->points; i++) place(w, m->at[i]);
-    for (size_t i = 0; i < m->points; i++) direction(w, m->normal[i], 1);
-    for (size_t i = 0; i < m->points && g.two_sided; i++) direction(w, m->normal[i], -1);
+    for (size_t i = 0; i < m->points; i++) direction(w, normal_of(m, i), 1);
+    for (size_t i = 0; i < m->points && g.two_sided; i++) direction(w, normal_of(m, i), -1);
     for (int i = 0; i < g.lists; i++) write_list(w, &g, g.first_list + i);
 }
 

@@ -18,8 +18,9 @@ int mesh_fits_floats(const mesh *m, double step);
 
 /* Numbers are floats in all of them: of a mesh that fits them.  An open surface has one side in the colour
  * `outside` and the other one in `inside`, where the format can tell; of a closed one, what closes it is
- * `inside`. outside, inside  red, green, blue in linear light Returns 0 if `put` did, or there is no memory.
- */
+ * `inside`.  A normal that there is not is 0, 0, 1.
+ *   outside, inside  red, green, blue in linear light
+ * Returns 0 if `put` did, or there is no memory. */
 int mesh_write(const mesh *m, mesh_format format, const double outside[3], const double inside[3],
                mesh_put *put, void *data);
 

@@ -353,6 +353,36 @@ static int count_bytes(const void *bytes, size_t count, void *data) {
     return 1;
 }
 
+typedef struct bytes {
+    unsigned char at[1 << 17];
+    size_t count;
+} bytes;
+
+static int keep(const void *more, size_t count, void *data) {
+    bytes *to = data;
+    if (count > sizeof to->at - to->count) return 0;
+    memcpy(to->at + to->count, more, count);
+    to->count += count;
+    return 1;
+}
+
+/* Normals in .glb are of unit length, on both sides, also where there is none. */
+TEST(test_no_normal) {
+    static const double colour[3] = {1, 0.5, 0};
+    static bytes file;
+    const mesh_options options = {.cells = 16};
+    mesh m = make("x", ball(1), &options);
+    memset(m.normal[0], 0, sizeof *m.normal);
+    assert_true(mesh_write(&m, MESH_GLB, colour, colour, keep, &file));
+    const unsigned char *json = file.at + 12, *rest = json + 8 + (json[0] | json[1] << 8) + 8;
+    for (int side = 0; side < 2; side++) {
+        const unsigned char *z = rest + 12 * m.points * (size_t)(1 + side) + 8;
+        assert_int_equal(z[3], side ? 0xbf : 0x3f); /* 1 or -1, as little-endian floats */
+        assert_int_equal(z[2], 0x80);
+    }
+    mesh_free(&m);
+}
+
 TEST(test_sinks) {
     const double colour[3] = {1, 0.5, 0};
     const mesh_options options = {.cells = 20};
