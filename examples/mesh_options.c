@@ -46,9 +46,9 @@ static const cli_option options_table[] = {
      "Twice as many: four times the triangles, a quarter of the distance to the surface",
      cli_set_int, offsetof(mesh_arguments, cells), MESH_LEAST_CELLS, MESH_MOST_CELLS},
     {"--tolerance", "E",
-     "takes more cells, from --cells (default 32) to 1024, until no vertex and\n"
+     "takes more cells, from --cells (default 32) to 1024, until no smooth vertex and\n"
      "no centre of a triangle is farther than E from the surface (by a step of Newton's\n"
-     "method)",
+     "method).  Vertices where it ends, is sharp or singular may be farther",
      set_length, FIELD(tolerance)},
     {"--on-surface", NULL,
      "puts each vertex on the surface, so that a ball becomes a little too small.\n"
