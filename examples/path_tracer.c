@@ -23,7 +23,7 @@
 #define RADIUS 1.75
 #define FLOOR (-1.9)
 #define INDEX 1.5 /* of refraction */
-enum { MOST_BOUNCES = 24 };
+enum { MOST_BOUNCES = 24, MOST_SAMPLES = 1000000 };
 
 /* Where a path is: a point, a direction of unit length, and what it goes through. */
 typedef struct path {
@@ -132,7 +132,7 @@ static int meet_world(path *p, double colour[3]) {
         return 0;
     }
     const double t = (FLOOR - o[2]) / d[2], x = o[0] + t * d[0], y = o[1] + t * d[1];
-    const int dark = ((int)floor(x) + (int)floor(y)) & 1;
+    const int dark = fmod(floor(x) + floor(y), 2) != 0; /* far away no integer holds them */
     const double fade = exp(-0.0035 * (x * x + y * y)), grey = dark ? 0.62 - 0.4 * fade : 0.62 + 0.18 * fade;
     for (int i = 0; i < 3; i++) p->light[i] *= grey;
     const double r = sqrt(random_unit(p)), angle = 6.283185307179586 * random_unit(p);
@@ -182,16 +182,17 @@ int main(int argc, char **argv) {
     const double golden = 0.5 + sqrt(1.25);
     const algsurf_constant p = {"p", golden};
     const char *name = argc > 3 ? argv[3] : "path_tracer.png";
-    int width = 320, height = 240, samples = argc > 2 ? atoi(argv[2]) : 16;
-    if (argc > 4 || (argc > 1 && sscanf(argv[1], "%dx%d", &width, &height) != 2) || width < 1 || height < 1 ||
-        width > 4096 || height > 4096 || samples < 1) {
+    const long samples = argc > 2 ? strtol(argv[2], NULL, 10) : 16;
+    int width = 320, height = 240;
+    if (argc > 4 || (argc > 1 && sscanf(argv[1], "%5dx%5d", &width, &height) != 2) || width < 1 ||
+        height < 1 || width > 4096 || height > 4096 || samples < 1 || samples > MOST_SAMPLES) {
         fprintf(stderr, "usage: path_tracer [WIDTHxHEIGHT [SAMPLES [FILE.png]]]\n");
         return 2;
     }
     uint8_t *pixels = malloc((size_t)width * (size_t)height * 3);
     if (!pixels) check(ALGSURF_E_NO_MEMORY);
     check(algsurf_surface_from_equation(EQUATION, &p, 1, &sextic, NULL));
-    draw(width, height, samples, pixels);
+    draw(width, height, (int)samples, pixels);
     FILE *file = fopen(name, "wb");
     const char *wrong = file ? image_write(file, IMAGE_PNG, width, height, pixels) : "cannot be written";
     if (file && (ferror(file) | fclose(file)) && !wrong) wrong = "cannot be written";
