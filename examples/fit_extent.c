@@ -85,12 +85,12 @@ double fit_as_told(double x) {
 
 double fit_rounded_up(double x) {
     double step = pow(10, floor(log10(x)) - 1);
-    return fit_as_told(ceil(x / step - 1e-9) * step);
+    return step > 0 ? fit_as_told(ceil(x / step - 1e-9) * step) : x;
 }
 
 double fit_rounded_place(double x, double radius) {
     double step = pow(10, floor(log10(radius)) - 2);
-    return fit_as_told(round(x / step) * step);
+    return step > 0 ? fit_as_told(round(x / step) * step) : x;
 }
 
 /* A ball about the box, the corners at that part of its radius or nearer. */

@@ -25,7 +25,7 @@ fit_box fit_enclose(const algsurf_surface *surface, const algsurf_extent *extent
 double fit_half_edge(const fit_box *box, double middle[3]);
 
 /* Numbers as they are told to a user: printed with 15 digits and read again; rounded up to two digits;
- * rounded to three digits of a radius. */
+ * rounded to three digits of a radius.  Where such a digit is below all doubles they stay as they are. */
 double fit_as_told(double x);
 double fit_rounded_up(double x);
 double fit_rounded_place(double x, double radius);
