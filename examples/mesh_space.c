@@ -5,8 +5,7 @@
 #include <stdlib.h>
 
 static const double OFF[3] = {0.2360679775, -0.1547005384, 0.0857864376}; /* sqrt 5, 4/3 sqrt 3, 2 sqrt 2 */
-static const double LEAST = 1e-30,
-                    MOST = 1e30; /* squares of areas are in range, distances in that of floats */
+static const double LEAST = 1e-30, MOST = 1e30; /* squares of areas are in range, and floats */
 
 /* That of the power of two above all three. */
 static int exponent(const double v[3]) {
