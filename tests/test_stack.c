@@ -524,10 +524,10 @@ STACK_OF(algsurf_select_of_real, USUAL, RENDERER) {
 
 /* As deep as allowed: parentheses, signs, powers, roots. */
 STACK_OF(algsurf_surface_from_equation, 96, OTHERS) {
-    static const char *const opening[] = {"(", "1+x*(", "2^(", "sqrt(", "x^1^1^(1*"};
-    static const char *const inside[] = {"(x+y+z+1)^20", "x", "1", "2", "1"};
-    static const int levels[] = {98, 62, 98, 98, 32};
-    for (int i = 0; i < 5; i++) {
+    static const char *const opening[] = {"(", "1+x*(", "2^(", "sqrt(", "x^1^1^(1*", "sin(", "T_1("};
+    static const char *const inside[] = {"(x+y+z+1)^20", "x", "1", "2", "1", "1", "(x+y+z+1)^8"};
+    static const int levels[] = {98, 62, 98, 98, 32, 98, 98};
+    for (int i = 0; i < 7; i++) {
         char text[2000] = "x + ";
         algsurf_surface *surface = NULL;
         for (int level = 0; level < levels[i]; level++) strcat(text, opening[i]);

@@ -7,6 +7,7 @@
  * number is the nearest one.
  */
 #include "../base/arithmetic.h"
+#include "../base/fpenv.h"
 #include "parse.h"
 
 #include <math.h>
@@ -100,9 +101,28 @@ static void legendre(int n, algsurf_dd c[]) {
     }
 }
 
+/* The last value becomes the polynomial in it.  A function of its own: its arrays are not on the stack while
+ * the argument is read, which may be nested. */
+static ALGSURF_NOINLINE algsurf_status apply(value *v, int kind, int n) {
+    algsurf_dd c[ALGSURF_MAX_DEGREE + 1] = {{0, 0}};
+    monomial term[ALGSURF_MAX_DEGREE + 1];
+    if (kind == KIND_P)
+        legendre(n, c);
+    else
+        chebyshev(kind, n, c);
+    for (int i = 0; i <= n; i++) {
+        double err = kind == KIND_P && fabs(c[i].hi) >= 0x1p88 ? legendre_error * fabs(c[i].hi) : 0;
+        term[i] = algsurf_i_monomial_make(c[i], err, kind == KIND_P ? -n : 0, 0);
+    }
+    if (n != 1) return algsurf_i_value_compose(v, term, n);
+    value by = {{NULL, 0}, NULL}; /* T_1(a) is a: a series about it would only make its way longer */
+    algsurf_status status = algsurf_i_tripoly_make(term[1], &by.p);
+    return status == ALGSURF_OK ? algsurf_i_value_multiply(v, &by) : status;
+}
+
 int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head) {
     size_t offset = p->at;
-    int n = head->index;
+    int n = head->index, kind = head->kind;
     p->at += head->width;
     p->token = (algsurf_i_token){head->bracket, 0, 0};
     if (!algsurf_i_parse_nested(p, offset, algsurf_i_parse_inside)) return 0;
@@ -110,15 +130,5 @@ int algsurf_i_parse_series(parser *p, const algsurf_i_series_head *head) {
     if (n > 0 && algsurf_i_tripoly_degree(&v->p) * n > ALGSURF_MAX_DEGREE)
         return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this polynomial is above 64");
     if (n > ALGSURF_MAX_DEGREE) return algsurf_i_parse_refuse(p, offset, "expected an index up to 64");
-    algsurf_dd c[ALGSURF_MAX_DEGREE + 1] = {{0, 0}};
-    monomial term[ALGSURF_MAX_DEGREE + 1];
-    if (head->kind == KIND_P)
-        legendre(n, c);
-    else
-        chebyshev(head->kind, n, c);
-    for (int i = 0; i <= n; i++) {
-        double err = head->kind == KIND_P && fabs(c[i].hi) >= 0x1p88 ? legendre_error * fabs(c[i].hi) : 0;
-        term[i] = algsurf_i_monomial_make(c[i], err, head->kind == KIND_P ? -n : 0, 0);
-    }
-    return algsurf_i_parse_computed(p, algsurf_i_value_compose(v, term, n), offset);
+    return algsurf_i_parse_computed(p, apply(v, kind, n), offset);
 }
