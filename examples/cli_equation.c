@@ -46,14 +46,16 @@ static void free_values(values *known) {
     free(known->sums);
 }
 
-/* The text behind the definitions of the sums, as the library takes them; to be freed. */
+/* The text behind the definitions of the sums, as the library takes them; to be freed.  Of a blank text, the
+ * last of them would be the equation. */
 static char *with_sums(const values *known, const char *text) {
+    size_t count = text[strspn(text, " \t\n\v\f\r")] ? known->sum_count : 0;
     size_t length = strlen(text) + 1, at = 0;
-    for (size_t i = 0; i < known->sum_count; i++)
+    for (size_t i = 0; i < count; i++)
         length += strlen(known->sums[i]->name) + strlen(known->sums[i]->value) + strlen("=;");
     char *whole = malloc(length);
     if (!whole) cli_no_memory();
-    for (size_t i = 0; i < known->sum_count; i++)
+    for (size_t i = 0; i < count; i++)
         at +=
             (size_t)snprintf(whole + at, length - at, "%s=%s;", known->sums[i]->name, known->sums[i]->value);
     memcpy(whole + at, text, length - at);
@@ -135,6 +137,7 @@ static _Noreturn void refuse_equation(const values *known, const char *what, con
     const char *shown = text + skipped;
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
     if (!error->message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
+    if (error->offset < skipped) cli_fail(CLI_BAD_INPUT, "%s: nothing but blanks", what); /* of typesetters */
     algsurf_parse_error at = *error;
     if (status == ALGSURF_E_NAME && try_euler(known, text, &at) != ALGSURF_E_SYNTAX)
         ask_for_values(known, text, shown, skipped, error);
@@ -183,6 +186,10 @@ static void add_value(values *known, const cli_let *let) {
         cli_fail(CLI_BAD_INPUT, "%s: expected a constant; what has x, y or z needs another name", what);
     } else {
         known->sums[known->sum_count++] = let;
+        plane = NULL;
+        if (read_equation(known, "x", &plane) == ALGSURF_E_SYNTAX)
+            cli_fail(CLI_BAD_INPUT, "%s: expected a sum, without '.' or ',' at its end", what);
+        algsurf_surface_free(plane);
     }
 }
 
