@@ -221,6 +221,10 @@ TEST(test_constants) {
     assert_int_equal(algsurf_surface_term_count(s), 2);
     assert_ok(algsurf_surface_terms(s, terms));
     assert_true(terms[0].k == 1 && terms[0].a == 1 && terms[1].j == 1 && terms[1].a == 6);
+    const algsurf_constant letters[] = {{"p", 2}, {"i", 3}}; /* of pi: the longest name counts */
+    same_with("pi x + xpi y + p i z + ipi", letters, 2, "pi x + pi x y + 6z + 3pi");
+    same("p=(1+sqrt(5))/2; p x + pi y", "(1+sqrt(5))/2*x + pi y");
+    same_with("pi X y + yX", own, 2, "8y");
     const char *const bad[] = {NULL, "", "x", "y", "z", "sqrt", "1a", "_a", "a b", "a-", "\xc3\xa9"};
     s = (void *)&place;
     for (size_t c = 0; c < sizeof bad / sizeof *bad; c++) {

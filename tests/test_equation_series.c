@@ -12,6 +12,7 @@ static const char *const written[][2] = {
     {"U_5(x)+y", "32x^5-32x^3+6x+y"},
     {"P_6(x)+y", "(231x^6-315x^4+105x^2-5)/16+y"},
     {"T_{3}(x)+T\u2083(y)+T_3[z]", "4x^3-3x+4y^3-3y+4z^3-3z"},
+    {"T_3{x}+T_{3}\\left\\{ y\\right\\}", "4x^3-3x+4y^3-3y"},
     {"T\u2081\u2080(x)", "512x^10-1280x^8+1120x^6-400x^4+50x^2-1"},
     {"ChebyshevT[3,x]+ChebyshevU[2, y]+LegendreP[ 2 , z]", "4x^3-3x+4y^2-1+(3z^2-1)/2"},
     {"chebyshevT(3,x)+chebyshevU(2,y)+legendreP(2,z)", "4x^3-3x+4y^2-1+(3z^2-1)/2"},
@@ -30,6 +31,7 @@ TEST(test_written) {
     for (size_t c = 0; c < sizeof written / sizeof *written; c++) same(written[c][0], written[c][1]);
     const algsurf_constant constants[] = {{"T_2", 3}, {"T", 5}, {"a", 7}};
     same_with("T_2(x)+y", constants, 1, "3x+y");
+    same_with("T_{2}(x)+T\u2082(y)+ChebyshevT[2,z]", constants, 1, "2x^2-1+2y^2-1+2z^2-1");
     same_with("T_3(x)+T y+aT_2(z)", constants + 1, 2, "4x^3-3x+5y+7(2z^2-1)");
 }
 

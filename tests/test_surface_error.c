@@ -229,6 +229,9 @@ TEST(rounding) {
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)/3*3") < 0x1p-90);
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)^5 + sqrt(49/4)") == 0);
     assert_true(rounding_of("0x1p-1074 x") == 0);
+    assert_true(rounding_of("0x1p130 x + 0x1p120 x = y") == 0); /* exponents that differ */
+    assert_true(rounding_of("x + 0x1p600 x = y") > 0);
+    assert_true(rounding_of("x + 0x1p800 x = y") > 0);
     double decimal = rounding_of("x^2 - 0.1"); /* 0.1 as a double: 0x1.999999999999ap-4 */
     assert_true(decimal > 0x1.9p-55 && decimal < 0x1.ap-54);
     double root = rounding_of("x^2 - sqrt(5) y"); /* off by 0.36 of half a unit */

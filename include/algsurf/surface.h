@@ -53,23 +53,25 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * most one '=' (left minus right).  ^ binds tighter than unary minus, is right associative and takes a
  * constant integer exponent 0..64 (down to -64 for a constant base); division only by a constant.
  * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is read as
- * far as it goes; if that is no constant, it is a product of shorter names: xyz, and ax for a constant a.
- * sin and cos need no brackets for one number, name, root or fraction of LaTeX at the end of a product: y cos
- * a.  What can be read in two ways, sin pi/5 or cos a y, is refused.
+ * far as it goes; if that is no constant, it is a product of shorter names, the longest first: xyz, and ax
+ * for a constant a; pi for constants p and i is pi.  sin and cos need no brackets for one number, name, root
+ * or fraction of LaTeX at the end of a product: y cos a.  What can be read in two ways, sin pi/5 or cos a y,
+ * is refused.
  *     Names may be defined before the equation: w = y^2 + z^2; x^2 - w = 0.  A definition may use x, y, z and
  * names defined before it.  It is put, in brackets, wherever its name stands, at most 20000 bytes in all.  A
  * name is defined once, and is no product of x, y and z.
  *     T_n(a), U_n(a), P_n(a), with n from 0 to 64, are the polynomials of Chebyshev, of both kinds, and of
  * Legendre in an expression a, T_6(x) + T_6(y) + T_6(z): also T_{6}(a), T with subscript digits,
  * ChebyshevT[6, a], ChebyshevU, LegendreP, chebyshevT(6, a), chebyshevU, legendreP.  Coefficients of T and U
- * are exact in double-double, those of P up to n = 30 at least.  A constant named T_6 or T hides them.
+ * are exact in double-double, those of P up to n = 30 at least.  A constant named T_6 hides T_6(a), but not
+ * the other spellings.
  *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
  * minus sign or dash is -, a division sign is /, superscript digits are an exponent, the signs of a quarter,
- * a half and three quarters are numbers, a root sign is sqrt of what follows it (a number, a name, a
- * bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they are
- * constants; no-break and other typographic spaces are blanks; .^ .* ./ are ^ * /; x<sup>2</sup> is x^2;
+ * a half and three quarters are numbers, a root sign is sqrt of the first factor behind it (a number, a
+ * constant, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they
+ * are constants; no-break and other typographic spaces are blanks; .^ .* ./ are ^ * /; x<sup>2</sup> is x^2;
  * Sqrt, Sin, Cos are as with small letters; the text may begin with '=', or with NAME(x,y,z) =, which is
- * skipped, and end with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x,y,z) { EQUATION },
+ * skipped, and end with '.', ',' or ';'.  Of POV-Ray: function { EQUATION }, function(x, y, z) { EQUATION },
  * and poly { n, < > }, cubic { < > }, quartic { < > }, quadric { < >, < >, < >, j } with constants as
  * coefficients, in the order of POV-Ray.
  *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without
@@ -79,10 +81,11 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * enclose the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
  * another letter, U+03D5; the Greek pi is none.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
- * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
- * coefficient made of them is the double nearest to what is written, or the one next to it.  The surface is
- * that of these doubles; algsurf_surface_rounding returns how much they differ from the equation.  What
- * double-double cannot distinguish from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
+ * double.  pi and roots are computed to the full accuracy of double-double, sines and cosines to 2^-94, so
+ * that a coefficient made of them is the double nearest to what is written, or the one next to it, unless
+ * terms cancel or the sine or cosine is nearly zero, as in sin(3.141592653589793).  The surface is that of
+ * these doubles; algsurf_surface_rounding returns how much they differ from the equation.  What double-double
+ * cannot distinguish from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
  *   constants, count  named values; constants may be null when count is 0
  *   error             may be null; filled only when E_SYNTAX, E_NAME, E_DEGREE, E_RANGE is returned
  * Errors: E_SYNTAX (also what is no polynomial: division by zero or by x, y, z, functions, fractions as
@@ -98,11 +101,11 @@ ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const
                                                          algsurf_parse_error *error);
 
 /* How much the coefficients of a surface made from an equation differ from the exact coefficients of the
- * equation: the largest relative error, or a little more.  11.8 and sqrt(5) in the text are exact numbers;
- * constants are the doubles given.  0 for surfaces from terms, and if every number in the text and every
- * intermediate result is a double; some 2^-53 as a rule; infinite if a coefficient underflowed to 0.
- * Coefficients that became 0 because double-double cannot distinguish them from 0 are not counted.  0 for
- * null.  Since 1.0. */
+ * equation: an upper bound of the relative errors, far above them where terms cancel or a sine is nearly
+ * zero, and for high degrees.  11.8 and sqrt(5) in the text are exact numbers; constants are the doubles
+ * given.  0 for surfaces from terms, and if every number in the text and every intermediate result is a
+ * double; some 2^-53 as a rule; infinite if a coefficient underflowed to 0.  Coefficients that became 0
+ * because double-double cannot distinguish them from 0 are not counted.  0 for null.  Since 1.0. */
 ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
 
 /* The same surface with coefficients that are known up to a relative error only: it stands for all

@@ -44,7 +44,7 @@ static int definition_at(const char *text, size_t at, algsurf_i_definition *foun
     return text[found->end + 1 + algsurf_i_blanks(text + found->end + 1)] != '\0';
 }
 
-/* What stands about an equation. */
+/* What stands about an equation; a blank is any blanks, or none. */
 static const struct {
     const char *open, *close;
 } quotes[] = {
@@ -59,17 +59,27 @@ static const struct {
     {"\\begin{displaymath}", "\\end{displaymath}"},
     {"\\begin{math}", "\\end{math}"},
     {"function {", "}"}, /* POV-Ray */
-    {"function{", "}"},
-    {"function(x,y,z) {", "}"},
+    {"function ( x , y , z ) {", "}"},
 };
+
+/* How many bytes of the text are these signs; 0: it starts with others. */
+static size_t width_of(const char *signs, const char *text) {
+    size_t at = 0;
+    for (; *signs; signs++)
+        if (*signs == ' ')
+            at += algsurf_i_blanks(text + at);
+        else if (text[at++] != *signs)
+            return 0;
+    return at;
+}
 
 /* Moves behind the sign that opens the equation, if one is there and none was. */
 static void take_open(parser *p) {
     (void)algsurf_i_parse_peek(p);
     for (size_t q = 0; !p->closing && q < sizeof quotes / sizeof *quotes; q++) {
-        const size_t length = strlen(quotes[q].open);
-        if (strncmp(p->text + p->at, quotes[q].open, length) != 0) continue;
-        p->at += length;
+        const size_t width = width_of(quotes[q].open, p->text + p->at);
+        if (width == 0) continue;
+        p->at += width;
         p->closing = quotes[q].close;
     }
 }

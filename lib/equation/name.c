@@ -119,10 +119,12 @@ static int is_pi(const algsurf_i_name_letter *letter) {
 size_t algsurf_i_names_factor(const algsurf_i_names *names, size_t i, const algsurf_constant **constant) {
     const algsurf_i_name_letter *letter = names->letter + i;
     *constant = NULL;
-    if (algsurf_i_variable(letter->code)) return 1;
+    if (algsurf_i_variable(letter->code) && (letter->code >= 'x' || !letter->constant)) return 1;
     *constant = letter->constant;
-    if (*constant) return parts_of(*constant);
-    return is_pi(letter) ? 2 : 0; /* behind the last letter there is one more, of code 0 */
+    size_t parts = *constant ? parts_of(*constant) : 0;
+    if (parts >= 2 || !is_pi(letter)) return parts; /* behind the last letter there is one more, of code 0 */
+    *constant = NULL;
+    return 2;
 }
 
 const algsurf_constant *algsurf_i_names_whole(const algsurf_i_names *names) {

@@ -252,13 +252,15 @@ static int parse_superscripts(parser *p) {
 
 /* An exponent of HTML, and the base raised to it. */
 static int parse_raised(parser *p) {
-    take(p);
     size_t offset = p->at;
+    take(p);
+    (void)peek(p);
+    size_t exponent_offset = p->at;
     if (!algsurf_i_parse_nested(p, offset, algsurf_i_parse_sum)) return 0;
     if (peek(p) != ALGSURF_I_TOKEN_LOWERED)
         return algsurf_i_parse_refuse_here(p, "expected an operator or </sup>");
     take(p);
-    return algsurf_i_parse_power(p, offset, offset);
+    return algsurf_i_parse_power(p, offset, exponent_offset);
 }
 
 static int parse_power(parser *p) {

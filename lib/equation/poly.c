@@ -63,7 +63,7 @@ static inline void accumulate(monomial *sum, const monomial *m) {
         *sum = *m;
         return;
     }
-    int shift = m->e - sum->e, exact = shift == 0 && is_plain(sum) && is_plain(m);
+    int shift = m->e - sum->e, exact = abs(shift) <= 2 && is_plain(sum) && is_plain(m);
     double down = shift == 0 ? 1 : abs(shift) == 1 ? 0x1p-256 : abs(shift) == 2 ? 0x1p-512 : 0.0;
     if (shift > 0) *sum = scaled(*sum, down), sum->e = m->e;
     monomial term = shift < 0 ? scaled(*m, down) : *m;

@@ -32,9 +32,11 @@ static const struct {
     int first, last, kind, digit;
 } signs[] = {
     {0xa0, 0xa0, BLANK, 0},     /* no-break space */
-    {0x2002, 0x200b, BLANK, 0}, /* spaces of the width of n, ..., thin ones, hair, of no width */
+    {0x1680, 0x1680, BLANK, 0}, /* ogham space */
+    {0x2000, 0x200b, BLANK, 0}, /* spaces of the width of n, ..., thin ones, hair, of no width */
     {0x202f, 0x202f, BLANK, 0}, /* narrow no-break space */
     {0x205f, 0x205f, BLANK, 0}, /* of mathematics */
+    {0x3000, 0x3000, BLANK, 0}, /* of ideographs */
     {0xfeff, 0xfeff, BLANK, 0}, /* byte order mark */
     {0xb7, 0xb7, '*', 0},       /* middle dot */
     {0xd7, 0xd7, '*', 0},       /* multiplication cross */
@@ -42,7 +44,7 @@ static const struct {
     {0x2217, 0x2217, '*', 0},   /* asterisk operator */
     {0x2062, 0x2062, '*', 0},   /* invisible times */
     {0x2212, 0x2212, '-', 0},   /* minus */
-    {0x2013, 0x2013, '-', 0},   /* en dash */
+    {0x2010, 0x2015, '-', 0},   /* hyphens, dashes, horizontal bar */
     {0xf7, 0xf7, '/', 0},       /* division sign */
     {0x2215, 0x2215, '/', 0},   /* division slash */
     {0x2044, 0x2044, '/', 0},   /* fraction slash */

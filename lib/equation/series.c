@@ -56,8 +56,10 @@ int algsurf_i_series_follows(const char *text, algsurf_i_series_head *head) {
     head->kind = word ? word : algsurf_i_listed("T U P", text, 1);
     if (!head->kind || (!word && !(at = read_low_index(at, &head->index)))) return 0;
     at += algsurf_i_blanks(at);
-    head->bracket = *at++;
-    if (head->bracket != '(' && head->bracket != '[') return 0;
+    const algsurf_i_token bracket = algsurf_i_token_at(at);
+    if (!algsurf_i_closing(bracket.kind)) return 0;
+    head->bracket = (char)bracket.kind;
+    at += bracket.width;
     if (word) {
         at = read_index(at + algsurf_i_blanks(at), "", '0', &head->index);
         if (!at) return 0;

@@ -58,22 +58,24 @@ enum { RAISED = 14, LOWERED, QUARTER, HALF, QUARTERS };
 static const struct {
     const char *text;
     char as;
-} signs[] = {{"**", '^'},           {"==", '='},         {"\u00b7", '*'},      {"\u00d7", '*'},
-             {"\u22c5", '*'},       {"\u2217", '*'},     {"\u2062", '*'},      {"\u2212", '-'},
-             {"\u2013", '-'},       {"\u00f7", '/'},     {"\u2215", '/'},      {"\u2044", '/'},
-             {"\u221a", ROOT},      {"\u03c0", PI},      {"\\cdot", '*'},      {"\\times", '*'},
-             {"\\ast", '*'},        {"\\div", '/'},      {"\\{", '{'},         {"\\}", '}'},
-             {"\\pi", PI},          {"\\sqrt", SQRT},    {"\\frac", FRACTION}, {"\\dfrac", FRACTION},
-             {"\\tfrac", FRACTION}, {"\\sin", SINE},     {"\\cos", COSINE},    {".^", '^'},
-             {".*", '*'},           {"./", '/'},         {"&=", '='},          {"<sup>", RAISED},
-             {"</sup>", LOWERED},   {"\u00bc", QUARTER}, {"\u00bd", HALF},     {"\u00be", QUARTERS}};
+} signs[] = {{"**", '^'},           {"==", '='},           {"\u00b7", '*'},     {"\u00d7", '*'},
+             {"\u22c5", '*'},       {"\u2217", '*'},       {"\u2062", '*'},     {"\u2212", '-'},
+             {"\u2010", '-'},       {"\u2011", '-'},       {"\u2012", '-'},     {"\u2013", '-'},
+             {"\u2014", '-'},       {"\u2015", '-'},       {"\u00f7", '/'},     {"\u2215", '/'},
+             {"\u2044", '/'},       {"\u221a", ROOT},      {"\u03c0", PI},      {"\\cdot", '*'},
+             {"\\times", '*'},      {"\\ast", '*'},        {"\\div", '/'},      {"\\{", '{'},
+             {"\\}", '}'},          {"\\pi", PI},          {"\\sqrt", SQRT},    {"\\frac", FRACTION},
+             {"\\dfrac", FRACTION}, {"\\tfrac", FRACTION}, {"\\sin", SINE},     {"\\cos", COSINE},
+             {".^", '^'},           {".*", '*'},           {"./", '/'},         {"&=", '='},
+             {"<sup>", RAISED},     {"</sup>", LOWERED},   {"\u00bc", QUARTER}, {"\u00bd", HALF},
+             {"\u00be", QUARTERS}};
 static const char *const superscripts[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 static const char *const blanks[] = {
-    "\u00a0", "\u2002", "\u2003", "\u2004",  "\u2005",         "\u2006", "\u2007",  "\u2008", "\u2009",
-    "\u200a", "\u200b", "\u202f", "\u205f",  "\ufeff",         "~",      "\\,",     "\\;",    "\\:",
-    "\\!",    "\\ ",    "\\quad", "\\qquad", "\\displaystyle", "\\left", "\\right", "\\bigl", "\\bigr",
-    "\\Bigl", "\\Bigr", "\\big",  "\\Big"};
+    "\u00a0", "\u1680",  "\u2000", "\u2001", "\u3000", "\u2002", "\u2003", "\u2004",  "\u2005",
+    "\u2006", "\u2007",  "\u2008", "\u2009", "\u200a", "\u200b", "\u202f", "\u205f",  "\ufeff",
+    "~",      "\\,",     "\\;",    "\\:",    "\\!",    "\\ ",    "\\quad", "\\qquad", "\\displaystyle",
+    "\\left", "\\right", "\\bigl", "\\bigr", "\\Bigl", "\\Bigr", "\\big",  "\\Big"};
 /* Greek letters that names have: two or three spellings of the same. */
 static const char *const greek[][3] = {
     {"\u03b1", "\\alpha"},    {"\u03b2", "\\beta"},   {"\u03b3", "\\gamma"},   {"\u03b4", "\\delta"},
@@ -323,7 +325,8 @@ static const char *series_at(reader *r, int *kind, int *n) {
     }
     r->at = at;
     char c = peek(r);
-    if (c == '(' || c == '[') r->at++;
+    int opens = c == '(' || c == '[' || c == '{';
+    if (opens) take(r);
     if (word && peek(r)) {
         while (is_digit(r->at[digits])) digits++;
         snprintf(index, sizeof index, "%.*s", (int)digits, r->at);
@@ -333,7 +336,7 @@ static const char *series_at(reader *r, int *kind, int *n) {
     }
     at = r->at, r->at = start;
     *n = atoi(index);
-    return (c == '(' || c == '[') && is_digits(index, strlen(index)) ? at : NULL;
+    return opens && is_digits(index, strlen(index)) ? at : NULL;
 }
 
 static void times(reader *r, value *a, const value *b);
@@ -368,8 +371,8 @@ static void series_coefficients(int kind, int n, mpq_t c[65]) {
 
 static void series(reader *r, const char *inside, int kind, int n, value *a) {
     char close = inside[0];
-    for (const char *c = inside - 1; close != ')' && close != ']'; c--)
-        close = *c == '(' ? ')' : *c == '[' ? ']' : close;
+    for (const char *c = inside - 1; close != ')' && close != ']' && close != '}'; c--)
+        close = *c == '(' ? ')' : *c == '[' ? ']' : *c == '{' ? '}' : close;
     value x;
     mpq_t c[65];
     value_init(&x);
@@ -393,7 +396,7 @@ static void series(reader *r, const char *inside, int kind, int n, value *a) {
 
 static void name(reader *r, value *a);
 
-/* A part of a product written as one name: a variable, the longest constant, pi. */
+/* A part of a product written as one name: x, y, z, the longest of the constants and pi, X, Y, Z. */
 static void factor(reader *r, value *a) {
     const char *start = r->at;
     int kind, index;
@@ -402,20 +405,21 @@ static void factor(reader *r, value *a) {
         name(r, a);
         return;
     }
-    char variable = *start >= 'a' ? *start : (char)(*start + 32);
-    if (variable >= 'x' && is_latin(*start)) {
-        r->at++;
-        mpq_set(a->v, r->point[variable - 'x']), mpq_abs(a->size, a->v);
-        return;
-    }
     size_t longest = 0, width;
     for (size_t n = 0; start + n < r->letters_end;) {
         (void)part_at(start + n, &width), n += width;
         if (constant_named(r, start, n, a)) longest = n;
     }
+    char variable = *start >= 'a' ? *start : (char)(*start + 32);
+    if (variable >= 'x' && is_latin(*start) && (*start >= 'a' || !longest)) {
+        r->at++;
+        mpq_set(a->v, r->point[variable - 'x']), mpq_abs(a->size, a->v);
+        return;
+    }
+    int is_pi = (start[0] | 32) == 'p' && (start[1] | 32) == 'i';
     r->at = start + longest;
-    if (longest && constant_named(r, start, longest, a)) return;
-    fuzz_check((start[0] | 32) == 'p' && (start[1] | 32) == 'i');
+    if (longest > (size_t)is_pi && constant_named(r, start, longest, a)) return;
+    fuzz_check(is_pi);
     r->at = start + 2;
     pi(a);
 }
@@ -701,6 +705,22 @@ static void stop(reader *r) {
     if (c == '.' || c == ',') r->at++;
 }
 
+/* function { or function(x,y,z) {, of POV-Ray. */
+static int function(reader *r) {
+    const char *start = r->at, *signs = "(x,y,z){";
+    if (!starts(r->at, "function")) return 0;
+    r->at += strlen("function");
+    (void)peek(r);
+    if (*r->at == '{') signs += strlen("(x,y,z)");
+    for (; *signs; signs++, r->at++) {
+        (void)peek(r);
+        if (*r->at == *signs) continue;
+        r->at = start;
+        return 0;
+    }
+    return 1;
+}
+
 static void equation(reader *r, value *a) {
     static const char *const pairs[][2] = {{"$$", "$$"},
                                            {"$", "$"},
@@ -711,10 +731,7 @@ static void equation(reader *r, value *a) {
                                            {"\\begin{align}", "\\end{align}"},
                                            {"\\begin{align*}", "\\end{align*}"},
                                            {"\\begin{displaymath}", "\\end{displaymath}"},
-                                           {"\\begin{math}", "\\end{math}"},
-                                           {"function {", "}"},
-                                           {"function{", "}"},
-                                           {"function(x,y,z) {", "}"}};
+                                           {"\\begin{math}", "\\end{math}"}};
     enum { PAIRS = sizeof pairs / sizeof *pairs };
     const char *close = NULL;
     value b;
@@ -722,6 +739,7 @@ static void equation(reader *r, value *a) {
     (void)peek(r);
     for (int pair = 0; pair < PAIRS && !close; pair++)
         if (starts(r->at, pairs[pair][0])) r->at += strlen(pairs[pair][0]), close = pairs[pair][1];
+    if (!close && function(r)) close = "}";
     while (define(r)) {
     }
     if (r->given_up) {
