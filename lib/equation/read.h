@@ -96,7 +96,8 @@ void algsurf_i_names_free(algsurf_i_names *names);
 algsurf_status algsurf_i_names_read(algsurf_i_names *names, const char *text);
 
 /* Of how many letters is the factor that begins with letter i, as part of a product: x, y, z, else the
- * longest of the constants and pi, else X, Y, Z; 0 when it is none.  *constant is null unless it is one of the caller's. */
+ * longest of the constants and pi, else X, Y, Z; 0 when it is none.  *constant is null unless it is one of
+ * the caller's. */
 size_t algsurf_i_names_factor(const algsurf_i_names *names, size_t i, const algsurf_constant **constant);
 
 /* The constant that is the whole name; null: it is none. */
