@@ -707,14 +707,14 @@ static void stop(reader *r) {
 
 /* function { or function(x,y,z) {, of POV-Ray. */
 static int function(reader *r) {
-    const char *start = r->at, *signs = "(x,y,z){";
+    const char *start = r->at, *rest = "(x,y,z){";
     if (!starts(r->at, "function")) return 0;
     r->at += strlen("function");
     (void)peek(r);
-    if (*r->at == '{') signs += strlen("(x,y,z)");
-    for (; *signs; signs++, r->at++) {
+    if (*r->at == '{') rest += strlen("(x,y,z)");
+    for (; *rest; rest++, r->at++) {
         (void)peek(r);
-        if (*r->at == *signs) continue;
+        if (*r->at == *rest) continue;
         r->at = start;
         return 0;
     }
